@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Private: a ray reduced to what the solver needs. Scaled by powers of two to the size of the torus, its parameter
+// counted from the point closest to the centre, so that nothing the solver sees is larger than the torus.
+#ifndef TORUS_LINE_GLSL
+#define TORUS_LINE_GLSL
+
+#include "arithmetic.glsl"
+
+// The points foot + u * direction. One unit is the power of two at or below R + r, so R + r is in [1, 2).
+struct torus_Line {
+    float majorRadius;     // R in units
+    float minorRadius;     // r in units
+    vec3 foot;             // the point of the line closest to the centre
+    vec3 direction;        // unit length
+    float lower;           // the searched interval of u: where [tMin, tMax] meets the bounding sphere. The ends
+    float upper;           //   that the sphere gives lie outside the torus
+    float halfChord;       // the bounding sphere spans [-halfChord, halfChord]: outside the torus at both ends
+    float footT;           // t of the foot is footT + footTLow ...
+    float footTLow;        //
+    float tPerU;           // ... and t = footT + (footTLow + u * tPerU)
+    float unit;            // length of one unit
+};
+
+// Room around the bounding sphere, relative to its squared radius. A ray in the plane z = 0 meets sphere and torus in
+// the same point: rounding (some 2^-22) must not put the torus' root outside the searched interval.
+#define TORUS_SPHERE_ROOM 1.00001
+
+// Reduces a ray. Returns false where there can be no hit: bad input, or the ray passes the bounding sphere by.
+bool torus_reduce(float majorRadius, float minorRadius, vec3 origin, float tMin, vec3 direction, float tMax,
+                  out torus_Line line) {
+    float unit = torus_powerOfTwoBelow(majorRadius + minorRadius);
+    float longest = max(max(abs(direction.x), abs(direction.y)), abs(direction.z));
+    float directionUnit = torus_powerOfTwoBelow(longest);
+    // Outside these ranges the reciprocals of the units, or their quotient, would leave float32.
+    bool valid = minorRadius > 0.0 && majorRadius >= 0.0 && unit >= 1.0e-18 && unit <= 1.0e18 &&
+                 directionUnit >= 1.0e-19 && directionUnit <= 1.0e19;
+    if (!valid) {
+        unit = 1.0;
+        directionUnit = 1.0;
+    }
+    TORUS_PRECISE float perUnit = 1.0 / unit;
+    TORUS_PRECISE float perDirectionUnit = 1.0 / directionUnit;
+    TORUS_PRECISE vec3 o = origin * perUnit;
+    TORUS_PRECISE vec3 d = direction * perDirectionUnit;
+
+    // Move to the foot of the perpendicular. The direction stays as given: normalising it first would turn the ray by
+    // an ulp, which far away is more than the torus' own rounding. The first shift is exact to the size of its
+    // result; the second one, plain, takes what the rounding of the first parameter left.
+    TORUS_PRECISE float dd = d.x * d.x + d.y * d.y + d.z * d.z;
+    TORUS_PRECISE float perDd = 1.0 / dd;
+    TORUS_PRECISE float firstShift = -(o.x * d.x + o.y * d.y + o.z * d.z) * perDd;
+    TORUS_PRECISE vec3 shifted = vec3(torus_shift(o.x, firstShift, d.x), torus_shift(o.y, firstShift, d.y),
+                                   torus_shift(o.z, firstShift, d.z));
+    TORUS_PRECISE float secondShift = -(shifted.x * d.x + shifted.y * d.y + shifted.z * d.z) * perDd;
+    TORUS_PRECISE vec3 foot = shifted + secondShift * d;
+    TORUS_PRECISE float perLength = sqrt(perDd);
+
+    TORUS_PRECISE float R = majorRadius * perUnit;
+    TORUS_PRECISE float r = minorRadius * perUnit;
+    TORUS_PRECISE float outer = R + r;
+    TORUS_PRECISE float foot2 = foot.x * foot.x + foot.y * foot.y + foot.z * foot.z;
+    TORUS_PRECISE float halfChord2 = outer * outer * TORUS_SPHERE_ROOM - foot2;
+    TORUS_PRECISE float halfChord = sqrt(max(halfChord2, 0.0));
+
+    // t of a length in units, for the direction as scaled: t * uPerT is a length along the line.
+    TORUS_PRECISE float tScale = unit * perDirectionUnit;
+    TORUS_PRECISE float uPerT = (directionUnit * perUnit) * (dd * perLength);
+    line.majorRadius = R;
+    line.minorRadius = r;
+    line.foot = foot;
+    line.direction = d * perLength;
+    line.unit = unit;
+    line.halfChord = halfChord;
+    line.footT = firstShift * tScale;
+    line.footTLow = secondShift * tScale;
+    line.tPerU = perLength * tScale;
+    // Infinite ends are legal; beyond the sphere every end is alike.
+    TORUS_PRECISE float lower = ((max(tMin, -TORUS_FLOAT_MAX) - line.footT) - line.footTLow) * uPerT;
+    TORUS_PRECISE float upper = ((min(tMax, TORUS_FLOAT_MAX) - line.footT) - line.footTLow) * uPerT;
+    line.lower = max(lower, -halfChord);
+    line.upper = min(upper, halfChord);
+    return valid && tMin <= tMax && halfChord2 > 0.0 && line.lower <= line.upper;
+}
+
+#endif

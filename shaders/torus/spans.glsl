@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Private: the solver's seam. The parts of a line that run inside the solid, and its crossings of the surface.
+#ifndef TORUS_SPANS_GLSL
+#define TORUS_SPANS_GLSL
+
+#include "tube.glsl"
+
+// At most two spans, around the two minima of G. Where both dip below zero and the maximum between them does too,
+// they are one.
+struct torus_Spans {
+    torus_Extrema extrema;
+    bool first;      // G dips below zero at the first minimum
+    bool second;     // ... at the second
+    bool joined;     // ... and stays below between them
+    float middle;    // where G is largest between the minima; meaningful if both dip and it was asked for
+};
+
+// The spans; `middle` and `joined` only where a caller that knows the minima wants them.
+torus_Spans torus_dips(torus_Extrema extrema) {
+    torus_Spans spans;
+    spans.extrema = extrema;
+    spans.first = extrema.firstValue <= 0.0;
+    spans.second = extrema.hasSecond && extrema.secondValue <= 0.0;
+    spans.joined = false;
+    spans.middle = 0.0;
+    return spans;
+}
+
+// Completes spans by the maximum between two dips.
+void torus_split(torus_Line line, bool wanted, inout torus_Spans spans) {
+    float value = 1.0;
+    spans.middle = torus_maximum(line, spans.extrema, wanted && spans.first && spans.second, value);
+    spans.joined = wanted && spans.first && spans.second && value <= 0.0;
+}
+
+// Where the parabola through a minimum of G, with G's curvature there, has its root: near a tangent this is the root.
+float torus_parabolaRoot(float minimum, float value, float curvature, bool rising) {
+    TORUS_PRECISE float width = sqrt(max(-value / max(curvature, 1.0e-3), 0.0));
+    TORUS_PRECISE float root = rising ? minimum + width : minimum - width;
+    return root;
+}
+
+// The crossing `index` (0 into, 1 out of the first span; 2 into, 3 out of the second) if it exists in the interval.
+bool torus_crossing(torus_Line line, torus_Spans spans, int index, bool wanted, out float u) {
+    bool atFirst = index < 2;
+    bool rising = index == 1 || index == 3;
+    bool inner = index == 1 || index == 2;
+    bool exists = wanted && (atFirst ? spans.first : spans.second) && !(inner && spans.joined);
+    // Between the minima the bracket ends at the maximum if both dip; if one does, nothing else crosses beyond it.
+    bool split = inner && spans.first && spans.second;
+    float minimum = atFirst ? spans.extrema.firstMinimum : spans.extrema.secondMinimum;
+    float value = atFirst ? spans.extrema.firstValue : spans.extrema.secondValue;
+    float curvature = atFirst ? spans.extrema.firstCurvature : spans.extrema.secondCurvature;
+    float outside = split ? spans.middle : (rising ? line.halfChord : -line.halfChord);
+    float start = torus_parabolaRoot(minimum, value, curvature, rising);
+    u = torus_root(line, min(minimum, outside), max(minimum, outside), rising, start, exists);
+    return exists && u >= line.lower && u <= line.upper;
+}
+
+// The first crossing in the interval: into the solid if the interval starts outside, else out of it.
+bool torus_firstCrossing(torus_Line line, out float u) {
+    torus_Spans spans = torus_dips(torus_extrema(line));
+    float slope;
+    bool inside = torus_tube(line, line.lower, slope) < 0.0;
+    bool firstAhead = spans.first && spans.extrema.firstMinimum >= line.lower;
+    bool secondAhead = spans.second && spans.extrema.secondMinimum >= line.lower;
+    // The gap between two dips matters to a start inside, and to one that has left the first dip behind.
+    torus_split(line, inside || !firstAhead, spans);
+    bool leavesFirst = spans.first && (!spans.second || (!spans.joined && line.lower < spans.middle));
+    int index = inside ? (leavesFirst ? 1 : 3) : (firstAhead ? 0 : 2);
+    return torus_crossing(line, spans, index, inside || firstAhead || secondAhead, u);
+}
+
+// Whether the interval holds any crossing: its ends lie on different sides, or a dip lies between them, or a gap.
+bool torus_crosses(torus_Line line) {
+    torus_Spans spans = torus_dips(torus_extrema(line));
+    float slope;
+    bool insideLower = torus_tube(line, line.lower, slope) < 0.0;
+    bool insideUpper = torus_tube(line, line.upper, slope) < 0.0;
+    float first = spans.extrema.firstMinimum;
+    float second = spans.extrema.secondMinimum;
+    bool dipBetween = (spans.first && first >= line.lower && first <= line.upper) ||
+                      (spans.second && second >= line.lower && second <= line.upper);
+    torus_split(line, insideLower && insideUpper, spans);
+    bool gapBetween = spans.first && spans.second && !spans.joined && line.lower < spans.middle &&
+                      line.upper > spans.middle;
+    return insideLower != insideUpper || (insideLower ? gapBetween : dipBetween);
+}
+
+#endif
