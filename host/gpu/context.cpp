@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include "gpu/context.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "core/error.hpp"
+#include "gpu/result.hpp"
+
+namespace raytorus::gpu {
+namespace {
+
+constexpr const char* validationLayer = "VK_LAYER_KHRONOS_validation";
+
+VkApplicationInfo applicationInfo() {
+    VkApplicationInfo info{VK_STRUCTURE_TYPE_APPLICATION_INFO};
+    info.pApplicationName = "raytorus";
+    info.apiVersion = VK_API_VERSION_1_3;
+    return info;
+}
+
+VkInstance makeInstance(const VkInstanceCreateInfo& info) {
+    VkInstance instance = VK_NULL_HANDLE;
+    const VkResult result = vkCreateInstance(&info, nullptr, &instance);
+    if (result == VK_ERROR_INCOMPATIBLE_DRIVER) {
+        throw Error(ExitCode::NoDevice,
+                    "no Vulkan driver was found: install one (Debian: mesa-vulkan-drivers has one that needs "
+                    "no GPU), "
+                    "or correct VK_DRIVER_FILES / VK_ICD_FILENAMES if you set them");
+    }
+    check(result, "vkCreateInstance");
+    return instance;
+}
+
+}  // namespace
+
+Context::Context(const ContextOptions& options, std::shared_ptr<ValidationLog> messageLog)
+    : log(std::move(messageLog)), timeoutSeconds(options.timeoutSeconds) {
+    try {
+        createInstance(options);
+        deviceInfo = pickDevice(listDevices(vkInstance), options.device);
+        createDevice(options);
+        VkCommandPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+        poolInfo.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
+        poolInfo.queueFamilyIndex = deviceInfo.queueFamily;
+        commandPool =
+            create<vkDestroyCommandPool>(vkCreateCommandPool, deviceScope, poolInfo, "vkCreateCommandPool");
+        const VkFenceCreateInfo fenceInfo{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO, nullptr, 0};
+        fence = create<vkDestroyFence>(vkCreateFence, deviceScope, fenceInfo, "vkCreateFence");
+        VkCommandBufferAllocateInfo bufferInfo{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
+        bufferInfo.commandPool = commandPool.get();
+        bufferInfo.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+        bufferInfo.commandBufferCount = 1;
+        check(vkAllocateCommandBuffers(device(), &bufferInfo, &commandBuffer), "vkAllocateCommandBuffers");
+    } catch (...) {
+        destroy();  // a constructor that throws runs no destructor
+        throw;
+    }
+}
+
+Context::~Context() {
+    destroy();
+}
+
+void Context::createInstance(const ContextOptions& options) {
+    const VkApplicationInfo application = applicationInfo();
+    VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
+    info.pApplicationInfo = &application;
+    std::vector<const char*> extensions = options.instanceExtensions;
+    if (!options.validate) {
+        info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
+        info.ppEnabledExtensionNames = extensions.data();
+        vkInstance = makeInstance(info);
+        return;
+    }
+    if (!validationLayerAvailable()) {
+        throw Error(ExitCode::NoDevice,
+                    "validation was asked for, but VK_LAYER_KHRONOS_validation is not installed (Debian: "
+                    "vulkan-validationlayers)");
+    }
+    extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    VkDebugUtilsMessengerCreateInfoEXT messages = messengerInfo(*log);
+    const VkValidationFeatureEnableEXT synchronization =
+        VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
+    VkValidationFeaturesEXT features{VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT};
+    features.enabledValidationFeatureCount = 1;
+    features.pEnabledValidationFeatures = &synchronization;
+    features.pNext = &messages;
+    info.pNext = &features;
+    info.enabledLayerCount = 1;
+    info.ppEnabledLayerNames = &validationLayer;
+    info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
+    info.ppEnabledExtensionNames = extensions.data();
+    vkInstance = makeInstance(info);
+    const auto createMessenger = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
+        vkGetInstanceProcAddr(vkInstance, "vkCreateDebugUtilsMessengerEXT"));
+    check(createMessenger(vkInstance, &messages, nullptr, &messenger), "vkCreateDebugUtilsMessengerEXT");
+}
+
+void Context::createDevice(const ContextOptions& options) {
+    const float priority = 1.0F;
+    VkDeviceQueueCreateInfo queueInfo{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
+    queueInfo.queueFamilyIndex = deviceInfo.queueFamily;
+    queueInfo.queueCount = 1;
+    queueInfo.pQueuePriorities = &priority;
+    VkPhysicalDeviceVulkan13Features features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
+    features.dynamicRendering = VK_TRUE;
+    features.synchronization2 = VK_TRUE;
+    VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
+    info.pNext = &features;
+    info.queueCreateInfoCount = 1;
+    info.pQueueCreateInfos = &queueInfo;
+    info.enabledExtensionCount = static_cast<std::uint32_t>(options.deviceExtensions.size());
+    info.ppEnabledExtensionNames = options.deviceExtensions.data();
+    check(vkCreateDevice(deviceInfo.handle, &info, nullptr, &deviceScope.device), "vkCreateDevice");
+    vkGetDeviceQueue(deviceScope.device, deviceInfo.queueFamily, 0, &vkQueue);
+}
+
+void Context::destroy() noexcept {
+    fence = {};
+    commandPool = {};
+    if (deviceScope.abandoned) {
+        return;
+    }
+    if (deviceScope.device != VK_NULL_HANDLE) {
+        vkDestroyDevice(deviceScope.device, nullptr);
+    }
+    if (messenger != VK_NULL_HANDLE) {
+        const auto destroyMessenger = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
+            vkGetInstanceProcAddr(vkInstance, "vkDestroyDebugUtilsMessengerEXT"));
+        destroyMessenger(vkInstance, messenger, nullptr);
+    }
+    if (vkInstance != VK_NULL_HANDLE) {
+        vkDestroyInstance(vkInstance, nullptr);
+    }
+}
+
+void Context::submit(const std::function<void(VkCommandBuffer)>& record) {
+    VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+    begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+    check(vkBeginCommandBuffer(commandBuffer, &begin), "vkBeginCommandBuffer");
+    record(commandBuffer);
+    check(vkEndCommandBuffer(commandBuffer), "vkEndCommandBuffer");
+    VkCommandBufferSubmitInfo commands{VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO};
+    commands.commandBuffer = commandBuffer;
+    VkSubmitInfo2 submission{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
+    submission.commandBufferInfoCount = 1;
+    submission.pCommandBufferInfos = &commands;
+    check(vkQueueSubmit2(vkQueue, 1, &submission, fence.get()), "vkQueueSubmit2");
+    const auto nanoseconds = static_cast<std::uint64_t>(std::ceil(timeoutSeconds * 1e9));
+    const VkResult waited = vkWaitForFences(device(), 1, fence.address(), VK_TRUE, nanoseconds);
+    if (waited == VK_TIMEOUT) {
+        deviceScope.abandoned = true;
+        throw Error(ExitCode::DeviceLost, fmt::format("{} did not finish a piece of work within {} s",
+                                                      deviceInfo.name, timeoutSeconds));
+    }
+    check(waited, "vkWaitForFences");
+    check(vkResetFences(device(), 1, fence.address()), "vkResetFences");
+}
+
+Handle<VkDeviceMemory, vkFreeMemory> Context::allocate(const VkMemoryRequirements& requirements,
+                                                       VkMemoryPropertyFlags required,
+                                                       VkMemoryPropertyFlags wanted) const {
+    VkPhysicalDeviceMemoryProperties memory{};
+    vkGetPhysicalDeviceMemoryProperties(deviceInfo.handle, &memory);
+    for (const VkMemoryPropertyFlags flags : std::array{required | wanted, required}) {
+        for (std::uint32_t type = 0; type < memory.memoryTypeCount; ++type) {
+            const bool allowed = (requirements.memoryTypeBits & (1U << type)) != 0;
+            if (!allowed || (memory.memoryTypes[type].propertyFlags & flags) != flags) {
+                continue;
+            }
+            const std::uint64_t heap = memory.memoryHeaps[memory.memoryTypes[type].heapIndex].size;
+            if (requirements.size > heap) {
+                throw Error(ExitCode::OutOfMemory,
+                            fmt::format("{:.1f} GiB of memory are needed in one piece, and {} has {:.1f} GiB",
+                                        std::ldexp(static_cast<double>(requirements.size), -30),
+                                        deviceInfo.name, std::ldexp(static_cast<double>(heap), -30)));
+            }
+            VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
+            info.allocationSize = requirements.size;
+            info.memoryTypeIndex = type;
+            return create<vkFreeMemory>(vkAllocateMemory, deviceScope, info, "vkAllocateMemory");
+        }
+    }
+    throw Error(ExitCode::NoDevice, fmt::format("{} has no memory of the needed type", deviceInfo.name));
+}
+
+std::vector<DeviceInfo> surveyDevices() {
+    const VkApplicationInfo application = applicationInfo();
+    VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
+    info.pApplicationInfo = &application;
+    VkInstance instance = makeInstance(info);
+    std::vector<DeviceInfo> devices = listDevices(instance);
+    vkDestroyInstance(instance, nullptr);
+    for (DeviceInfo& device : devices) {
+        device.handle = VK_NULL_HANDLE;  // gone with the instance
+    }
+    return devices;
+}
+
+}  // namespace raytorus::gpu

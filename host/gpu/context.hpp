@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// The Vulkan instance, device and queue that everything else of gpu/ lives on. No window, ever.
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gpu/device.hpp"
+#include "gpu/handle.hpp"
+#include "gpu/validation.hpp"
+
+namespace raytorus::gpu {
+
+struct ContextOptions {
+    std::string device;                           ///< see pickDevice
+    bool validate = false;                        ///< core and synchronization validation, into the log
+    double timeoutSeconds = 120.0;                ///< for one submission; then the device counts as lost
+    std::vector<const char*> instanceExtensions;  ///< for windows, which gpu/ itself knows nothing of
+    std::vector<const char*> deviceExtensions;
+};
+
+class Context {
+public:
+    /// The log receives what the validation layers say until the Context is gone.
+    Context(const ContextOptions& options, std::shared_ptr<ValidationLog> log);
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
+    ~Context();
+
+    [[nodiscard]] const DeviceScope& scope() const { return deviceScope; }
+    [[nodiscard]] VkInstance instance() const { return vkInstance; }
+    [[nodiscard]] VkDevice device() const { return deviceScope.device; }
+    [[nodiscard]] VkQueue queue() const { return vkQueue; }
+    [[nodiscard]] const DeviceInfo& info() const { return deviceInfo; }
+
+    /// Records commands, runs them and waits until they are done.
+    void submit(const std::function<void(VkCommandBuffer)>& record);
+
+    /// Memory for an object, of a type with the wanted properties (or, if there is none, the required ones).
+    [[nodiscard]] Handle<VkDeviceMemory, vkFreeMemory> allocate(const VkMemoryRequirements& requirements,
+                                                                VkMemoryPropertyFlags required,
+                                                                VkMemoryPropertyFlags wanted) const;
+
+private:
+    void createInstance(const ContextOptions& options);
+    void createDevice(const ContextOptions& options);
+    void destroy() noexcept;
+
+    std::shared_ptr<ValidationLog> log;
+    double timeoutSeconds;
+    VkInstance vkInstance = VK_NULL_HANDLE;
+    VkDebugUtilsMessengerEXT messenger = VK_NULL_HANDLE;
+    DeviceInfo deviceInfo;
+    DeviceScope deviceScope;
+    VkQueue vkQueue = VK_NULL_HANDLE;
+    Handle<VkCommandPool, vkDestroyCommandPool> commandPool;
+    Handle<VkFence, vkDestroyFence> fence;
+    VkCommandBuffer commandBuffer = VK_NULL_HANDLE;
+};
+
+/// Every device the loader offers, with the reasons against it; needs no suitable device. For `raytorus
+/// doctor`.
+std::vector<DeviceInfo> surveyDevices();
+
+}  // namespace raytorus::gpu

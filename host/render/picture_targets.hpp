@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The device images of a picture, and their way into an image::Image with named channels.
+#pragma once
+
+#include <vector>
+
+#include "gpu/commands.hpp"
+#include "image/image.hpp"
+
+namespace raytorus::render {
+
+/// One image (colour), or four with the geometric pictures (AOVs), in the order of ScenePixel in shade.glsl.
+class PictureTargets {
+public:
+    PictureTargets(const gpu::Context& context, VkExtent2D extent, bool aovs);
+
+    [[nodiscard]] std::span<const gpu::Image> images() const { return targets; }
+
+    /// Makes them ready to be drawn to or stored into, their contents undefined.
+    void begin(VkCommandBuffer commands, gpu::Use use, VkImageLayout layout) const;
+
+    /// Copies them to the host after `use`. Channels: R G B A, and with the geometric pictures t, position.x
+    /// .y .z, normal.x .y .z, uv.u, uv.v, count, id. Where nothing is hit, id is -1 and the others are 0.
+    [[nodiscard]] image::Image readBack(gpu::Context& context, gpu::Use use, VkImageLayout layout) const;
+
+private:
+    std::vector<gpu::Image> targets;
+};
+
+}  // namespace raytorus::render

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "render/shader_source.hpp"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <span>
+
+#include "core/error.hpp"
+#include "raytorus_shaders.hpp"
+
+namespace raytorus::render {
+
+std::vector<std::uint32_t> ShaderSource::load(const std::string& name) const {
+    if (folder.empty()) {
+        const std::span<const std::uint32_t> words = shaders::find(name);
+        if (words.empty()) {
+            throw Error(ExitCode::Internal, fmt::format("the shader {} is not built in", name));
+        }
+        return {words.begin(), words.end()};
+    }
+    const std::filesystem::path path = folder / (name + ".spv");
+    std::ifstream file(path, std::ios::binary);
+    if (!file) {
+        throw Error(ExitCode::File, fmt::format("{}: cannot be opened", path.string()));
+    }
+    const std::vector<char> bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    if (bytes.size() % sizeof(std::uint32_t) != 0) {
+        throw Error(ExitCode::Shader, fmt::format("{}: {} bytes are no whole number of SPIR-V words",
+                                                  path.string(), bytes.size()));
+    }
+    std::vector<std::uint32_t> words(bytes.size() / sizeof(std::uint32_t));
+    std::memcpy(words.data(), bytes.data(), bytes.size());
+    return words;
+}
+
+}  // namespace raytorus::render

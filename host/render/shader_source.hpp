@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Where the host's shaders come from: built in, or from a folder, for trying a changed shader without a new
+// build.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace raytorus::render {
+
+class ShaderSource {
+public:
+    /// The built-in shaders.
+    ShaderSource() = default;
+    /// `<folder>/<name>.spv` instead, for each shader that is asked for.
+    explicit ShaderSource(std::filesystem::path shaderFolder) : folder(std::move(shaderFolder)) {}
+
+    /// SPIR-V of a shader by file name ("scene.frag"). Throws Error{File} if the folder has no such file.
+    [[nodiscard]] std::vector<std::uint32_t> load(const std::string& name) const;
+
+private:
+    std::filesystem::path folder;  // empty: built in
+};
+
+}  // namespace raytorus::render

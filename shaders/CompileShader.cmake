@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: MIT
+#
+# raytorus_compile_shaders(<target> NAMESPACE <namespace> SOURCES <file>...)
+#
+# Compiles GLSL entry points to SPIR-V and embeds them: <target> is a static library whose header, <target>.hpp,
+# declares <namespace>::find(name), with the file's name as it stands in SOURCES, without its folder. The modules lie
+# beside it in the build folder as <file>.spv. A change to an included file rebuilds exactly the shaders that include it.
+include_guard()
+find_package(Vulkan REQUIRED COMPONENTS glslangValidator)
+set(RAYTORUS_EMBED_SCRIPT "${CMAKE_CURRENT_LIST_DIR}/EmbedSpirv.cmake")
+
+function(raytorus_compile_shaders target)
+    cmake_parse_arguments(ARG "" "NAMESPACE" "SOURCES" ${ARGN})
+    set(folder "${CMAKE_CURRENT_BINARY_DIR}/${target}")
+    file(MAKE_DIRECTORY "${folder}")
+    set(modules "")
+    foreach(source IN LISTS ARG_SOURCES)
+        cmake_path(ABSOLUTE_PATH source OUTPUT_VARIABLE path)
+        cmake_path(GET source FILENAME name)
+        set(module "${folder}/${name}.spv")
+        add_custom_command(OUTPUT "${module}"
+            COMMAND Vulkan::glslangValidator --quiet --target-env vulkan1.3 "-I${PROJECT_SOURCE_DIR}/shaders"
+                    --depfile "${module}.d" -o "${module}" "${path}"
+            DEPENDS "${path}" DEPFILE "${module}.d" VERBATIM COMMENT "Compiling shader ${name}")
+        list(APPEND modules "${module}")
+    endforeach()
+    add_custom_command(OUTPUT "${folder}/${target}.cpp" "${folder}/${target}.hpp"
+        COMMAND "${CMAKE_COMMAND}" "-DMODULES=${modules}" "-DOUTPUT=${folder}/${target}" "-DNAMESPACE=${ARG_NAMESPACE}"
+                -P "${RAYTORUS_EMBED_SCRIPT}"
+        DEPENDS ${modules} "${RAYTORUS_EMBED_SCRIPT}" VERBATIM COMMENT "Embedding ${target}")
+    add_library(${target} STATIC "${folder}/${target}.cpp" "${folder}/${target}.hpp")
+    target_include_directories(${target} PUBLIC "${folder}")
+    target_compile_features(${target} PUBLIC cxx_std_20)
+endfunction()
