@@ -12,11 +12,11 @@ layout(set = 0, binding = SCENE_BINDING_POSITION, rgba32f) uniform writeonly ima
 layout(set = 0, binding = SCENE_BINDING_NORMAL, rgba32f) uniform writeonly image2D normalImage;
 layout(set = 0, binding = SCENE_BINDING_SURFACE, rgba32f) uniform writeonly image2D surfaceImage;
 
-layout(push_constant) uniform Band { uvec2 rows; };  // first row, and the row after the last
+layout(push_constant) uniform Band { uint firstRow; uint endRow; uint width; };
 
 void main() {
-    uvec2 at = gl_GlobalInvocationID.xy + uvec2(0u, rows.x);
-    if (at.x >= frame.size.x || at.y >= rows.y) {
+    uvec2 at = gl_GlobalInvocationID.xy + uvec2(0u, firstRow);
+    if (at.x >= width || at.y >= endRow) {
         return;
     }
     ScenePixel pixel = scenePixel(at);

@@ -23,8 +23,23 @@ using glm::vec4;
 #define SCENE_BINDING_NORMAL 6
 #define SCENE_BINDING_SURFACE 7
 
-// Specialization constant: whether the geometric pictures are made too, or the colour alone.
-#define SCENE_CONSTANT_AOVS 0
+// Large scenes: storage buffers of any length in place of the uniform blocks, which hold this many.
+#define SCENE_BINDING_TORI_LARGE 8
+#define SCENE_BINDING_NODES_LARGE 9
+#define SCENE_BINDING_MATERIALS_LARGE 10
+#define SCENE_SMALL_TORI 512
+#define SCENE_SMALL_NODES 1024
+#define SCENE_SMALL_MATERIALS 256
+
+// Specialization constants. What loops and branches depend on is here and not in a uniform block: lavapipe compiles
+// a fragment shader anew for each submission if its control flow depends on one.
+#define SCENE_CONSTANT_AOVS 0     // bool: the geometric pictures too, or the colour alone
+#define SCENE_CONSTANT_SIDE 1     // samples along each side of a pixel
+#define SCENE_CONSTANT_LIGHTS 2   // number of lights
+#define SCENE_CONSTANT_TORI 3     // number of tori; 1 needs no hierarchy
+#define SCENE_CONSTANT_STORAGE 4  // SCENE_STORAGE_UNIFORM or SCENE_STORAGE_BUFFER
+#define SCENE_STORAGE_UNIFORM 0
+#define SCENE_STORAGE_BUFFER 1
 
 // Workgroup of the compute route.
 #define SCENE_GROUP_WIDTH 8
@@ -46,8 +61,7 @@ struct SceneFrame {
     vec4 backgroundBottom;
     vec4 ambientSky;
     vec4 ambientGround;
-    uvec4 size;    // width, height, samples along each side of a pixel, lights
-    uvec4 counts;  // nodes, tori, 0, 0
+    vec4 size;  // width, height, 0, 0
     SceneLight lights[SCENE_MAX_LIGHTS];
 };
 

@@ -7,6 +7,8 @@
 #include "scene.glsl"
 
 layout(constant_id = SCENE_CONSTANT_AOVS) const bool sceneAovs = false;
+layout(constant_id = SCENE_CONSTANT_SIDE) const int sceneSide = 1;
+layout(constant_id = SCENE_CONSTANT_LIGHTS) const int sceneLights = 1;
 
 // What a pixel consists of, in the order of the colour attachments and of the bindings from SCENE_BINDING_COLOR on.
 struct ScenePixel {
@@ -17,7 +19,6 @@ struct ScenePixel {
 };
 
 #define SCENE_T_MAX 3.0e38
-#define SCENE_INVERSE_PI 0.318309886
 
 vec3 sceneUnit(vec3 v) {
     precise float length2 = v.x * v.x + v.y * v.y + v.z * v.z;
@@ -32,8 +33,8 @@ float sceneDot(vec3 a, vec3 b) {
 
 // The ray through a point of the picture: pixels from the upper left corner.
 SceneRay sceneCameraRay(vec2 pixel) {
-    precise float x = 2.0 * pixel.x / float(frame.size.x) - 1.0;
-    precise float y = 1.0 - 2.0 * pixel.y / float(frame.size.y);
+    precise float x = 2.0 * pixel.x / frame.size.x - 1.0;
+    precise float y = 1.0 - 2.0 * pixel.y / frame.size.y;
     precise vec3 direction = frame.cameraForward.xyz + x * frame.cameraRight.xyz + y * frame.cameraUp.xyz;
     return sceneMakeRay(frame.cameraPosition.xyz, sceneUnit(direction));
 }
@@ -52,7 +53,8 @@ vec3 sceneDiffuse(SceneMaterial material, vec2 uv) {
     return other ? material.checkerDiffuse.rgb : material.diffuse.rgb;
 }
 
-// Diffuse and glossy reflectance times the cosine: Lambert, and the microfacet model of Walter et al. (EGSR 2007)
+// Diffuse and glossy reflectance times the cosine and pi, so that a white surface which faces a light of radiance 1
+// shows 1: Lambert, and the microfacet model of Walter et al. (EGSR 2007)
 // with the GGX distribution, Schlick's Fresnel term, and Karis' rational fit to Smith's masking (SIGGRAPH 2013).
 vec3 sceneReflect(vec3 diffuse, vec3 specular, float roughness, vec3 normal, vec3 toEye, vec3 toLight) {
     precise float nl = max(sceneDot(normal, toLight), 0.0);
@@ -63,20 +65,20 @@ vec3 sceneReflect(vec3 diffuse, vec3 specular, float roughness, vec3 normal, vec
     precise float a = roughness * roughness;
     precise float a2 = a * a;
     precise float bend = (nh * a2 - nh) * nh + 1.0;
-    precise float facets = a2 * SCENE_INVERSE_PI / (bend * bend);
+    precise float facets = a2 / (bend * bend);
     precise float k = 0.5 * a;
     precise float masking = 0.25 / ((nl * (1.0 - k) + k) * (nv * (1.0 - k) + k));
     precise float away = 1.0 - vh;
     precise float away2 = away * away;
     precise vec3 fresnel = specular + (vec3(1.0) - specular) * (away2 * away2 * away);
-    precise vec3 value = nl * (SCENE_INVERSE_PI * diffuse + fresnel * (facets * masking));
+    precise vec3 value = nl * (diffuse + fresnel * (facets * masking));
     return value;
 }
 
 vec3 sceneShade(SceneRay ray, SceneHit hit) {
-    SceneTorus torus = tori[hit.torus];
+    SceneTorus torus = sceneTorus(hit.torus);
     Torus shape = Torus(torus.radii.x, torus.radii.y);
-    SceneMaterial material = materials[torus.names.y];
+    SceneMaterial material = sceneMaterial(torus.names.y);
     vec3 diffuse = sceneDiffuse(material, torusUv(shape, hit.position));
     vec3 position = sceneFromTorus(torus, hit.position) + sceneOriginOf(torus);
     vec3 outward = sceneFromTorus(torus, torusNormal(shape, hit.position));
@@ -91,7 +93,7 @@ vec3 sceneShade(SceneRay ray, SceneHit hit) {
     precise float size = max(max(abs(position.x), abs(position.y)), abs(position.z));
     precise float lift = max(1.0e-3 * torus.radii.y, 4.0e-6 * max(size, torus.radii.x));
     precise vec3 start = position + lift * normal;
-    for (uint i = 0u; i < frame.size.w; ++i) {
+    for (int i = 0; i < sceneLights; ++i) {
         SceneLight light = frame.lights[i];
         precise vec3 path = light.vector.xyz - light.vector.w * start;
         precise float distance2 = sceneDot(path, path);
@@ -120,19 +122,18 @@ vec3 sceneColor(vec2 pixel) {
 
 ScenePixel scenePixel(uvec2 pixel) {
     ScenePixel result = ScenePixel(vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0, 0.0, -1.0, 0.0));
-    uint side = frame.size.z;
     precise vec3 sum = vec3(0.0);
-    for (uint i = 0u; i < side * side; ++i) {
-        precise vec2 offset = (vec2(float(i % side), float(i / side)) + 0.5) / float(side);
+    for (int i = 0; i < sceneSide * sceneSide; ++i) {
+        precise vec2 offset = (vec2(float(i % sceneSide), float(i / sceneSide)) + 0.5) / float(sceneSide);
         sum += sceneColor(vec2(pixel) + offset);
     }
-    precise vec3 mean = sum / float(side * side);
+    precise vec3 mean = sum / float(sceneSide * sceneSide);
     result.color = vec4(mean, 1.0);
     if (sceneAovs) {
         SceneRay ray = sceneCameraRay(vec2(pixel) + 0.5);
         SceneHit hit = sceneIntersect(ray, 0.0, SCENE_T_MAX);
         if (hit.torus >= 0) {
-            SceneTorus torus = tori[hit.torus];
+            SceneTorus torus = sceneTorus(hit.torus);
             Torus shape = Torus(torus.radii.x, torus.radii.y);
             precise vec3 position = sceneFromTorus(torus, hit.position) + sceneOriginOf(torus);
             result.position = vec4(position, hit.t);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The commands of the raytorus program. Each adds its options to the application and, when the user chose it,
-// leaves what is to be run in `action`; main runs it and turns Error into an exit code.
+// leaves what is to be run in `action`.
 #pragma once
 
 #include <CLI/App.hpp>
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "core/error.hpp"
 
@@ -16,5 +18,9 @@ void addRenderCommand(CLI::App& app, Action& action);
 void addTraceCommand(CLI::App& app, Action& action);
 void addCompareCommand(CLI::App& app, Action& action);
 void addDoctorCommand(CLI::App& app, Action& action);
+
+/// Parses and runs a command line (without the program's name). The one place where Error becomes an exit
+/// code: messages go to standard error, one line first that says what is wrong.
+ExitCode runCommandLine(const std::vector<std::string>& arguments);
 
 }  // namespace raytorus::cli

@@ -64,11 +64,14 @@ void checkFeatures(DeviceInfo& device) {
     VkPhysicalDeviceVulkan13Features features13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
     VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &features13, {}};
     vkGetPhysicalDeviceFeatures2(device.handle, &features);
-    if (features13.dynamicRendering == VK_FALSE) {
-        device.refusals.emplace_back("the feature dynamicRendering is missing");
-    }
-    if (features13.synchronization2 == VK_FALSE) {
-        device.refusals.emplace_back("the feature synchronization2 is missing");
+    const auto require = [&device](VkBool32 present, const char* name) {
+        (present == VK_TRUE ? device.features : device.refusals)
+            .push_back(present == VK_TRUE ? name : fmt::format("the feature {} is missing", name));
+    };
+    require(features13.dynamicRendering, "dynamicRendering");
+    require(features13.synchronization2, "synchronization2");
+    if (features.features.shaderFloat64 == VK_TRUE) {
+        device.features.emplace_back("shaderFloat64 (not needed)");
     }
     VkFormatProperties format{};
     vkGetPhysicalDeviceFormatProperties(device.handle, VK_FORMAT_R32G32B32A32_SFLOAT, &format);

@@ -22,6 +22,7 @@ struct DeviceInfo {
     double timestampPeriod = 0.0;    ///< nanoseconds a tick; 0: the queue has no timestamps
     std::uint64_t deviceMemory = 0;  ///< bytes of the largest device-local heap
     VkPhysicalDeviceLimits limits{};
+    std::vector<std::string> features;  ///< what it has of what raytorus can make use of
     std::vector<std::string> refusals;  ///< why it cannot be used, a sentence each; empty: it can
 
     [[nodiscard]] bool suitable() const { return refusals.empty(); }

@@ -46,11 +46,16 @@ void ValidationLog::requireEmpty() const {
     throw Error(ExitCode::ValidationMessage, text);
 }
 
-bool validationLayerAvailable() {
+std::vector<VkLayerProperties> instanceLayers() {
     std::uint32_t count = 0;
     check(vkEnumerateInstanceLayerProperties(&count, nullptr), "vkEnumerateInstanceLayerProperties");
     std::vector<VkLayerProperties> layers(count);
     check(vkEnumerateInstanceLayerProperties(&count, layers.data()), "vkEnumerateInstanceLayerProperties");
+    return layers;
+}
+
+bool validationLayerAvailable() {
+    const std::vector<VkLayerProperties> layers = instanceLayers();
     return std::any_of(layers.begin(), layers.end(), [](const VkLayerProperties& layer) {
         return std::string_view(layer.layerName) == "VK_LAYER_KHRONOS_validation";
     });

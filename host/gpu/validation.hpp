@@ -25,6 +25,9 @@ private:
     std::vector<std::string> log;
 };
 
+/// Every layer that the loader knows.
+std::vector<VkLayerProperties> instanceLayers();
+
 /// Whether the Khronos validation layer is installed.
 bool validationLayerAvailable();
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstdio>
+#include <cstdlib>
 #include <utility>
 
 #include "gpu/pipeline.hpp"
@@ -28,13 +30,13 @@ struct RoutePlan {
     std::function<void(VkCommandBuffer, std::uint32_t firstRow, std::uint32_t endRow)> draw;
 };
 
-gpu::PipelineLayoutInfo layoutInfo(const RenderOptions& options) {
+gpu::PipelineLayoutInfo layoutInfo(const Scene& scene, const RenderOptions& options) {
     gpu::PipelineLayoutInfo info;
-    info.bindings = {{SCENE_BINDING_FRAME, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER},
-                     {SCENE_BINDING_TORI, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
-                     {SCENE_BINDING_NODES, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
-                     {SCENE_BINDING_MATERIALS, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}};
-    info.specialization = {options.aovs ? 1U : 0U};
+    info.bindings = sceneBindings();
+    info.specialization = {options.aovs ? 1U : 0U, static_cast<std::uint32_t>(options.samplesPerSide),
+                           static_cast<std::uint32_t>(scene.lights.size()),
+                           static_cast<std::uint32_t>(scene.tori.size()),
+                           static_cast<std::uint32_t>(storageFor(scene))};
     return info;
 }
 
@@ -42,18 +44,18 @@ gpu::ShaderModule shader(const gpu::Context& context, const RenderOptions& optio
     return {context, options.shaders.load(name), name};
 }
 
-gpu::Pipeline fragmentPipeline(const gpu::Context& context, const RenderOptions& options,
+gpu::Pipeline fragmentPipeline(const gpu::Context& context, const Scene& scene, const RenderOptions& options,
                                std::uint32_t attachments) {
-    gpu::PipelineLayoutInfo info = layoutInfo(options);
+    gpu::PipelineLayoutInfo info = layoutInfo(scene, options);
     info.stages = VK_SHADER_STAGE_FRAGMENT_BIT;
     return gpu::makeScreenPipeline(context, shader(context, options, "fullscreen.vert"),
                                    shader(context, options, "scene.frag"), attachments, info);
 }
 
-gpu::Pipeline computePipeline(const gpu::Context& context, const RenderOptions& options,
+gpu::Pipeline computePipeline(const gpu::Context& context, const Scene& scene, const RenderOptions& options,
                               std::span<const gpu::Image> images) {
-    gpu::PipelineLayoutInfo info = layoutInfo(options);
-    info.pushConstantBytes = 2 * sizeof(std::uint32_t);
+    gpu::PipelineLayoutInfo info = layoutInfo(scene, options);
+    info.pushConstantBytes = 3 * sizeof(std::uint32_t);
     for (std::uint32_t i = 0; i < 4; ++i) {
         info.bindings.push_back({SCENE_BINDING_COLOR + i, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE});
     }
@@ -65,14 +67,15 @@ gpu::Pipeline computePipeline(const gpu::Context& context, const RenderOptions& 
     return pipeline;
 }
 
-RoutePlan makePlan(const gpu::Context& context, const RenderOptions& options, const PictureTargets& targets) {
+RoutePlan makePlan(const gpu::Context& context, const Scene& scene, const RenderOptions& options,
+                   const PictureTargets& targets) {
     const std::span<const gpu::Image> images = targets.images();
     const VkExtent2D extent = images.front().extent();
     RoutePlan plan{};
     if (options.route == Route::Fragment) {
         plan.write = gpu::colorWrite;
         plan.layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-        plan.pipeline = fragmentPipeline(context, options, static_cast<std::uint32_t>(images.size()));
+        plan.pipeline = fragmentPipeline(context, scene, options, static_cast<std::uint32_t>(images.size()));
         plan.draw = [images, extent](VkCommandBuffer commands, std::uint32_t firstRow, std::uint32_t endRow) {
             gpu::drawScreen(commands, images,
                             {{0, static_cast<std::int32_t>(firstRow)}, {extent.width, endRow - firstRow}});
@@ -81,7 +84,7 @@ RoutePlan makePlan(const gpu::Context& context, const RenderOptions& options, co
     }
     plan.write = gpu::shaderWrite;
     plan.layout = VK_IMAGE_LAYOUT_GENERAL;
-    plan.pipeline = computePipeline(context, options, images);
+    plan.pipeline = computePipeline(context, scene, options, images);
     plan.draw = [extent](VkCommandBuffer commands, std::uint32_t firstRow, std::uint32_t endRow) {
         const auto groups = [](std::uint32_t size, std::uint32_t group) {
             return (size + group - 1) / group;
@@ -94,7 +97,7 @@ RoutePlan makePlan(const gpu::Context& context, const RenderOptions& options, co
 
 // Rows are rendered in bands, so that no submission runs long: a GPU's watchdog ends those, and progress is
 // seen. The bands are as high as took about this long at the speed of the one before.
-constexpr double bandSeconds = 0.25;
+constexpr double bandSeconds = 2.5;
 constexpr std::uint32_t bandRowUnit = 64;  // lavapipe's tiles are 64 x 64 pixels
 constexpr std::uint32_t firstBandPixels = 65536;
 
@@ -122,7 +125,7 @@ void renderBands(gpu::Context& context, const RenderOptions& options, const Pict
                 targets.begin(commands, plan.write, plan.layout);
             }
             timestamps.begin(commands);
-            const std::array band = {row, end};
+            const std::array band = {row, end, extent.width};
             const bool compute = options.route == Route::Compute;
             plan.pipeline.use(commands,
                               compute ? std::as_bytes(std::span(band)) : std::span<const std::byte>());
@@ -133,7 +136,10 @@ void renderBands(gpu::Context& context, const RenderOptions& options, const Pict
         (row == 0 ? times.firstBand : times.otherBands) += seconds;
         (row == 0 ? times.firstPixels : times.otherPixels) += std::int64_t{extent.width} * (end - row);
         deviceSeconds += row == 0 ? 0.0 : timestamps.seconds().value_or(0.0);
-        rows = nextBandRows(end - row, seconds);
+        if (getenv("BANDS"))
+            fprintf(stderr, "band %u..%u %.1f ms device %.1f\n", row, end, seconds * 1e3,
+                    1e3 * timestamps.seconds().value_or(0));
+        rows = getenv("BANDS") ? 64 : nextBandRows(end - row, seconds);
         row = end;
         if (options.progress) {
             options.progress(static_cast<double>(row) / extent.height);
@@ -153,16 +159,13 @@ RenderResult render(gpu::Context& context, const Scene& scene, const RenderOptio
     RenderResult result;
 
     Clock::time_point start = Clock::now();
-    const SceneBuffers buffers(context, scene, width, height, options.samplesPerSide);
+    const SceneBuffers buffers(context, scene, width, height);
     result.times.scene = secondsSince(start);
 
     start = Clock::now();
     const PictureTargets targets(context, extent, options.aovs);
-    RoutePlan plan = makePlan(context, options, targets);
-    plan.pipeline.bind(SCENE_BINDING_FRAME, buffers.frame);
-    plan.pipeline.bind(SCENE_BINDING_TORI, buffers.tori);
-    plan.pipeline.bind(SCENE_BINDING_NODES, buffers.nodes);
-    plan.pipeline.bind(SCENE_BINDING_MATERIALS, buffers.materials);
+    RoutePlan plan = makePlan(context, scene, options, targets);
+    buffers.bindTo(plan.pipeline);
     result.times.pipeline = secondsSince(start);
 
     renderBands(context, options, targets, plan, result.times);

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <utility>
 #include <vector>
 
 #include "render/bvh.hpp"
@@ -31,14 +32,9 @@ scene_io::SceneLight pack(const Light& light) {
     return {directional ? pack(glm::normalize(light.vector)) : pack(light.vector, 1.0), pack(light.color)};
 }
 
-template <typename T>
-gpu::Buffer storage(const gpu::Context& context, const std::vector<T>& items) {
-    return gpu::makeBuffer(context, std::span<const T>(items), gpu::BufferUse::Storage);
-}
-
 }  // namespace
 
-scene_io::SceneFrame makeFrame(const Scene& scene, int width, int height, int samplesPerSide) {
+scene_io::SceneFrame makeFrame(const Scene& scene, int width, int height) {
     const Camera& camera = scene.camera;
     const glm::dvec3 forward = glm::normalize(camera.target - camera.position);
     const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));
@@ -54,8 +50,7 @@ scene_io::SceneFrame makeFrame(const Scene& scene, int width, int height, int sa
     frame.backgroundBottom = pack(scene.background.bottom);
     frame.ambientSky = pack(scene.ambient.sky);
     frame.ambientGround = pack(scene.ambient.ground);
-    frame.size = {width, height, samplesPerSide, scene.lights.size()};
-    frame.counts = {2 * scene.tori.size() - 1, scene.tori.size(), 0, 0};
+    frame.size = {width, height, 0.0F, 0.0F};
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         frame.lights[i] = pack(scene.lights[i]);
     }
@@ -72,33 +67,71 @@ scene_io::SceneTorus makeTorus(const TorusInstance& torus, std::size_t index) {
             {static_cast<int>(index), static_cast<int>(torus.materialIndex), 0, 0}};
 }
 
-SceneBuffers::SceneBuffers(const gpu::Context& context, const Scene& scene, int width, int height,
-                           int samplesPerSide) {
-    const scene_io::SceneFrame frameData = makeFrame(scene, width, height, samplesPerSide);
+SceneStorage storageFor(const Scene& scene) {
+    const bool fits =
+        scene.tori.size() <= SCENE_SMALL_TORI && scene.materials.size() <= SCENE_SMALL_MATERIALS;
+    return fits ? SceneStorage::Uniform : SceneStorage::Buffer;
+}
+
+std::vector<gpu::Binding> sceneBindings() {
+    constexpr VkDescriptorType uniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    constexpr VkDescriptorType storage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    return {{SCENE_BINDING_FRAME, uniform},           {SCENE_BINDING_TORI, uniform},
+            {SCENE_BINDING_NODES, uniform},           {SCENE_BINDING_MATERIALS, uniform},
+            {SCENE_BINDING_TORI_LARGE, storage},      {SCENE_BINDING_NODES_LARGE, storage},
+            {SCENE_BINDING_MATERIALS_LARGE, storage}};
+}
+
+template <typename T>
+SceneBuffers::Array SceneBuffers::upload(const gpu::Context& context, std::vector<T> items,
+                                         SceneStorage storage, std::size_t uniformLength) {
+    const bool large = storage == SceneStorage::Buffer;
+    Array array;
+    array.storage = gpu::makeBuffer(context, large ? std::span<const T>(items) : std::span<const T>(),
+                                    gpu::BufferUse::Storage);
+    // A uniform block has the length that its shader declares.
+    items.resize(uniformLength);
+    array.uniform = gpu::makeBuffer(context, std::span<const T>(items), gpu::BufferUse::Uniform);
+    return array;
+}
+
+SceneBuffers::SceneBuffers(const gpu::Context& context, const Scene& scene, int width, int height) {
+    const scene_io::SceneFrame frameData = makeFrame(scene, width, height);
     frame = gpu::makeBuffer(context, std::span(&frameData, 1), gpu::BufferUse::Uniform);
+    const SceneStorage storage = storageFor(scene);
 
     std::vector<Box> boxes;
     boxes.reserve(scene.tori.size());
     for (const TorusInstance& torus : scene.tori) {
         boxes.push_back(boundsOf(torus));
     }
-    const Bvh bvh = buildBvh(boxes);
+    Bvh bvh = buildBvh(boxes);
     static_assert(sizeof(BvhNode) == sizeof(scene_io::SceneNode));
-    nodes = storage(context, bvh.nodes);
+    nodes = upload(context, std::move(bvh.nodes), storage, SCENE_SMALL_NODES);
 
     std::vector<scene_io::SceneTorus> sorted;
     sorted.reserve(scene.tori.size());
     for (const std::uint32_t index : bvh.order) {
         sorted.push_back(makeTorus(scene.tori[index], index));
     }
-    tori = storage(context, sorted);
+    tori = upload(context, std::move(sorted), storage, SCENE_SMALL_TORI);
 
     std::vector<scene_io::SceneMaterial> packed;
     packed.reserve(scene.materials.size());
     for (const Material& material : scene.materials) {
         packed.push_back(pack(material));
     }
-    materials = storage(context, packed);
+    materials = upload(context, std::move(packed), storage, SCENE_SMALL_MATERIALS);
+}
+
+void SceneBuffers::bindTo(gpu::Pipeline& pipeline) const {
+    pipeline.bind(SCENE_BINDING_FRAME, frame);
+    pipeline.bind(SCENE_BINDING_TORI, tori.uniform);
+    pipeline.bind(SCENE_BINDING_NODES, nodes.uniform);
+    pipeline.bind(SCENE_BINDING_MATERIALS, materials.uniform);
+    pipeline.bind(SCENE_BINDING_TORI_LARGE, tori.storage);
+    pipeline.bind(SCENE_BINDING_NODES_LARGE, nodes.storage);
+    pipeline.bind(SCENE_BINDING_MATERIALS_LARGE, materials.storage);
 }
 
 }  // namespace raytorus::render

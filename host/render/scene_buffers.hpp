@@ -3,23 +3,48 @@
 // hierarchy.
 #pragma once
 
-#include "gpu/buffer.hpp"
+#include <vector>
+
+#include "gpu/pipeline.hpp"
 #include "render/scene.hpp"
 #include "scene_io.h"
 
 namespace raytorus::render {
 
-struct SceneBuffers {
-    SceneBuffers(const gpu::Context& context, const Scene& scene, int width, int height, int samplesPerSide);
+/// Where the shaders find tori, nodes and materials: in uniform blocks, or, if those are too small, in
+/// storage buffers.
+enum class SceneStorage { Uniform = SCENE_STORAGE_UNIFORM, Buffer = SCENE_STORAGE_BUFFER };
+
+SceneStorage storageFor(const Scene& scene);
+
+/// The bindings of every picture shader that belong to the scene.
+std::vector<gpu::Binding> sceneBindings();
+
+class SceneBuffers {
+public:
+    SceneBuffers(const gpu::Context& context, const Scene& scene, int width, int height);
+
+    void bindTo(gpu::Pipeline& pipeline) const;
+
+private:
+    // One array in both kinds of storage. The one that is not used is there because each binding needs a
+    // buffer.
+    struct Array {
+        gpu::Buffer uniform;
+        gpu::Buffer storage;
+    };
+    template <typename T>
+    static Array upload(const gpu::Context& context, std::vector<T> items, SceneStorage storage,
+                        std::size_t uniformLength);
 
     gpu::Buffer frame;
-    gpu::Buffer tori;
-    gpu::Buffer nodes;
-    gpu::Buffer materials;
+    Array tori;
+    Array nodes;
+    Array materials;
 };
 
 /// Camera, lights and sizes as the shaders read them.
-scene_io::SceneFrame makeFrame(const Scene& scene, int width, int height, int samplesPerSide);
+scene_io::SceneFrame makeFrame(const Scene& scene, int width, int height);
 
 /// One torus as the shaders read it. `index` is its place in the scene.
 scene_io::SceneTorus makeTorus(const TorusInstance& torus, std::size_t index);

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <new>
+
+#include "cli/command.hpp"
+
+namespace raytorus::cli {
+namespace {
+
+constexpr const char* footer = R"(Examples:
+  raytorus render scenes/chain.json -o chain.png
+  raytorus trace rays.csv -o hits.csv --torus 1,0.25
+  raytorus compare golden.exr new.exr --tolerance 1e-5
+  raytorus doctor
+
+Exit codes:
+  0 ok                      5 wrong command line       9 out of memory
+  1 internal error          6 invalid scene           10 device lost or time-out
+  2 comparison failed       7 shader refused          11 validation message
+  3 size or channels differ 8 no suitable device      12 NaN or infinity in a picture
+  4 file missing, damaged or not writable)";
+
+ExitCode fail(ExitCode code, const std::string& message) {
+    fmt::print(stderr, "raytorus: {}\n", message);
+    return code;
+}
+
+ExitCode parseAndRun(std::vector<std::string> arguments) {
+    CLI::App app("Exact ray-torus intersection: render scenes, trace rays, compare pictures.", "raytorus");
+    app.set_version_flag("--version", fmt::format("raytorus {}", version()));
+    app.require_subcommand(1);
+    app.footer(footer);
+    Action action;
+    addRenderCommand(app, action);
+    addTraceCommand(app, action);
+    addCompareCommand(app, action);
+    addDoctorCommand(app, action);
+    std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
+    try {
+        app.parse(std::move(arguments));
+    } catch (const CLI::Success& success) {  // --help, --version
+        app.exit(success);
+        return ExitCode::Ok;
+    } catch (const CLI::ParseError& error) {
+        return fail(ExitCode::Usage, fmt::format("{} (see raytorus --help)", error.what()));
+    }
+    return action();
+}
+
+}  // namespace
+
+ExitCode runCommandLine(const std::vector<std::string>& arguments) {
+    try {
+        return parseAndRun(arguments);
+    } catch (const Error& error) {
+        return fail(error.exitCode, error.what());
+    } catch (const std::bad_alloc&) {
+        return fail(ExitCode::OutOfMemory, "out of memory");
+    } catch (const std::exception& error) {
+        return fail(ExitCode::Internal, fmt::format("internal error: {}", error.what()));
+    }
+}
+
+}  // namespace raytorus::cli

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// raytorus compare: two image files, a table of numbers, and an exit code.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "cli/command.hpp"
+#include "image/compare.hpp"
+#include "image/comparison_text.hpp"
+#include "image/difference.hpp"
+#include "image/image_io.hpp"
+
+namespace raytorus::cli {
+
+namespace {
+
+struct CompareOptions {
+    std::string expected;
+    std::string actual;
+    image::CompareRules rules;
+    std::string differencePath;
+    bool json = false;
+};
+
+// The whole text as a number that is finite and not negative: std::stod would take "nan" and "1e-3x".
+template <typename Number>
+Number parseNumber(const std::string& text, std::string_view what) {
+    Number value{};
+    const char* const end = text.data() + text.size();
+    const auto [stop, problem] = std::from_chars(text.data(), end, value);
+    if (problem != std::errc() || stop != end ||
+        !(value >= 0 && value <= std::numeric_limits<Number>::max())) {
+        throw CLI::ValidationError(fmt::format("{} that is not negative, not \"{}\"", what, text));
+    }
+    return value;
+}
+
+double parseTolerance(const std::string& text) {
+    return parseNumber<double>(text, "A tolerance is a number");
+}
+
+std::int64_t parseCount(const std::string& text) {
+    return parseNumber<std::int64_t>(text, "A count of pixels is a whole number");
+}
+
+// "NAME=TOLERANCE". Split at the last '=': channel names may have one.
+void addChannelRule(image::CompareRules& rules, const std::string& text) {
+    const std::size_t equals = text.rfind('=');
+    if (equals == std::string::npos || equals == 0) {
+        throw CLI::ValidationError(
+            fmt::format("--channel takes NAME=TOLERANCE, for example Z=1e-4, not \"{}\"", text));
+    }
+    const std::string name = text.substr(0, equals);
+    const double tolerance = parseTolerance(text.substr(equals + 1));
+    if (!rules.channelRules.try_emplace(name, image::CompareRule{tolerance, 0.0}).second) {
+        throw CLI::ValidationError(fmt::format("--channel gives the tolerance of {} twice", name));
+    }
+}
+
+// A slip in the order of the names must not cost a golden image.
+void refuseToOverwriteInput(const CompareOptions& options) {
+    std::error_code ignored;
+    for (const std::string& input : {options.expected, options.actual}) {
+        if (std::filesystem::equivalent(input, options.differencePath, ignored)) {
+            throw Error(
+                ExitCode::Usage,
+                fmt::format("--difference would overwrite \"{}\", one of the images compared.", input));
+        }
+    }
+}
+
+ExitCode runCompare(const CompareOptions& options) {
+    refuseToOverwriteInput(options);
+    const image::Image expected = image::readImage(options.expected);
+    const image::Image actual = image::readImage(options.actual);
+    const image::Comparison comparison = image::compare(expected, actual, options.rules);
+    if (options.json) {
+        fmt::print("{}\n", image::jsonText(comparison));
+    } else {
+        fmt::print("{}{}\n", image::numbersTable(comparison), comparison.sentence);
+    }
+    if (!options.differencePath.empty() && comparison.verdict != image::Verdict::SizeDiffers) {
+        image::writeImage(options.differencePath, image::differenceImage(expected, actual, options.rules));
+    }
+    return comparison.exitCode();
+}
+
+constexpr const char* footer =
+    R"(A value agrees when it is off by no more than --tolerance, or by no more than --relative times the
+expected value. A pixel agrees when all its channels do. NaN and infinity never agree, in either image.
+
+Examples:
+  raytorus compare golden/ring.exr out/ring.exr
+  raytorus compare expected.exr actual.exr --tolerance 1e-5 --channel Z=1e-4 --allow 8 --window-limit 3
+  raytorus compare expected.exr actual.exr --relative 1e-6 --difference difference.png
+  raytorus compare expected.png actual.png --tolerance 0.004 --json
+
+Exit codes: 0 the images agree, 2 they differ, 3 size or channels differ, 4 a file cannot be read or written,
+5 the command line is wrong, 12 an image holds NaN or infinity.)";
+
+}  // namespace
+
+void addCompareCommand(CLI::App& app, Action& action) {
+    CLI::App* const command = app.add_subcommand("compare", "Compare two image files (.exr, .png)");
+    const auto options = std::make_shared<CompareOptions>();
+    image::CompareRules& rules = options->rules;
+    command->footer(footer);
+    // An option whose text goes to `store`, which throws CLI::ValidationError for what it does not like.
+    const auto addOption = [command](const std::string& name, const char* type, const std::string& help,
+                                     auto store) {
+        return command->add_option_function<std::string>(name, std::move(store), help)->type_name(type);
+    };
+    command->add_option("EXPECTED", options->expected, "The image as it should be")
+        ->required()
+        ->type_name("FILE");
+    command->add_option("ACTUAL", options->actual, "The image to judge")->required()->type_name("FILE");
+    addOption("--tolerance", "X", "Allowed difference of a value (default 0)",
+              [&rules](const std::string& text) { rules.defaultRule.tolerance = parseTolerance(text); });
+    addOption(
+        "--relative", "X", "Allowed difference relative to the expected value (default 0)",
+        [&rules](const std::string& text) { rules.defaultRule.relativeTolerance = parseTolerance(text); });
+    addOption("--allow", "N", "Pixels that may be over their tolerance (default 0)",
+              [&rules](const std::string& text) { rules.allowedPixels = parseCount(text); });
+    addOption("--channel", "NAME=TOL",
+              "Tolerance of one channel instead of the general ones; may be repeated",
+              [&rules](const std::string& text) { addChannelRule(rules, text); })
+        ->trigger_on_parse();
+    addOption(
+        "--window-limit", "N",
+        fmt::format("Pixels over their tolerance that may lie in one {0} x {0} square (default: any number)",
+                    rules.windowSize),
+        [&rules](const std::string& text) { rules.windowLimit = parseCount(text); });
+    addOption("--difference", "FILE.png", "Write a picture of the differences here",
+              [options = options.get()](const std::string& path) {
+                  if (!image::hasImageExtension(path)) {
+                      throw CLI::ValidationError(fmt::format(
+                          "The name of the difference picture must end in .png, not \"{}\"", path));
+                  }
+                  options->differencePath = path;
+              });
+    command->add_flag("--json", options->json, "Print the result as JSON");
+    command->callback([options, &action] { action = [options] { return runCompare(*options); }; });
+}
+
+}  // namespace raytorus::cli

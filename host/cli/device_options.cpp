@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "cli/device_options.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace raytorus::cli {
+
+render::ShaderSource DeviceOptions::shaders() const {
+    return shaderFolder.empty() ? render::ShaderSource() : render::ShaderSource(shaderFolder);
+}
+
+void addDeviceOptions(CLI::App& command, DeviceOptions& options) {
+    command
+        .add_option("--device", options.context.device,
+                    "Device by number, or by a part of its name or driver (see raytorus doctor)")
+        ->option_text("NAME");
+    command.add_flag("--validate", options.context.validate,
+                     "Run with the Vulkan validation layers; any message is an error (exit code 11)");
+    command
+        .add_option("--timeout", options.context.timeoutSeconds,
+                    "Longest time for one piece of work on the device (exit code 10)")
+        ->check(CLI::Range(1e-6, 1e6))
+        ->option_text("SECONDS [120]");
+    command
+        .add_option("--shaders", options.shaderFolder, "Use DIR/<shader>.spv instead of the built-in shaders")
+        ->option_text("DIR");
+}
+
+void withDevice(const DeviceOptions& options, const std::function<void(gpu::Context&)>& work) {
+    const auto log = std::make_shared<gpu::ValidationLog>();
+    try {
+        gpu::Context context(options.context, log);
+        work(context);
+    } catch (...) {
+        // A message of the validation layers is the cause of what went wrong after it, so it goes first.
+        log->requireEmpty();
+        throw;
+    }
+    log->requireEmpty();
+}
+
+}  // namespace raytorus::cli

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// raytorus doctor: what Vulkan offers here, and whether raytorus can use it.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+
+#include "cli/command.hpp"
+#include "gpu/context.hpp"
+#include "gpu/result.hpp"
+
+namespace raytorus::cli {
+namespace {
+
+constexpr const char* footer = R"(Ends with 0 if there is a device that raytorus can use, else with 8.
+
+Examples:
+  raytorus doctor
+  VK_DRIVER_FILES=/path/to/driver.json raytorus doctor     look at one driver alone)";
+
+void printLoader() {
+    std::uint32_t loader = 0;
+    gpu::check(vkEnumerateInstanceVersion(&loader), "vkEnumerateInstanceVersion");
+    fmt::print("raytorus {}\nVulkan loader {}\n", version(), gpu::versionText(loader));
+    for (const char* name : {"VK_DRIVER_FILES", "VK_ICD_FILENAMES", "VK_ADD_DRIVER_FILES",
+                             "VK_LOADER_DRIVERS_SELECT", "VK_LAYER_PATH", "VK_INSTANCE_LAYERS"}) {
+        if (const char* value = std::getenv(name)) {
+            fmt::print("  {}={}\n", name, value);
+        }
+    }
+}
+
+void printLayers() {
+    fmt::print("Layers\n");
+    for (const VkLayerProperties& layer : gpu::instanceLayers()) {
+        fmt::print("  {} {}: {}\n", layer.layerName, gpu::versionText(layer.specVersion), layer.description);
+    }
+    fmt::print("  --validate {}\n",
+               gpu::validationLayerAvailable()
+                   ? "works"
+                   : "needs VK_LAYER_KHRONOS_validation (Debian: vulkan-validationlayers)");
+}
+
+void printDevice(const gpu::DeviceInfo& device) {
+    fmt::print(
+        "  {}: {} ({}), Vulkan {}\n     driver {}, {}\n     {:.1f} GiB of device memory, timestamps {}\n",
+        device.index, device.name, device.type, gpu::versionText(device.apiVersion), device.driverName,
+        device.driverInfo, std::ldexp(static_cast<double>(device.deviceMemory), -30),
+        device.timestampPeriod > 0.0 ? fmt::format("every {} ns", device.timestampPeriod) : "none");
+    for (const std::string& fact : device.features) {
+        fmt::print("     has {}\n", fact);
+    }
+    for (const std::string& refusal : device.refusals) {
+        fmt::print("     refused: {}\n", refusal);
+    }
+    if (device.suitable()) {
+        fmt::print("     suitable\n");
+    }
+}
+
+ExitCode runDoctor() {
+    printLoader();
+    printLayers();
+    const std::vector<gpu::DeviceInfo> devices = gpu::surveyDevices();
+    fmt::print("Devices\n");
+    for (const gpu::DeviceInfo& device : devices) {
+        printDevice(device);
+    }
+    const gpu::DeviceInfo chosen = gpu::pickDevice(devices, "");
+    fmt::print("raytorus uses device {}, {}, unless --device says otherwise\n", chosen.index, chosen.name);
+    return ExitCode::Ok;
+}
+
+}  // namespace
+
+void addDoctorCommand(CLI::App& app, Action& action) {
+    CLI::App* sub = app.add_subcommand("doctor", "Show the Vulkan loader, layers, drivers and devices");
+    sub->footer(footer);
+    sub->callback([&action] { action = runDoctor; });
+}
+
+}  // namespace raytorus::cli

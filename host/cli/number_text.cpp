@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "cli/number_text.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <system_error>
+
+#include "render/scene.hpp"
+
+namespace raytorus::cli {
+namespace {
+
+template <typename Number>
+std::optional<Number> parseWhole(std::string_view text) {
+    if (!text.empty() && text.front() == '+') {
+        text.remove_prefix(1);
+    }
+    Number value{};
+    const char* const end = text.data() + text.size();
+    const auto [stop, problem] = std::from_chars(text.data(), end, value);
+    if (problem != std::errc() || stop != end) {
+        return std::nullopt;
+    }
+    return value;
+}
+
+}  // namespace
+
+std::optional<float> parseFloat(std::string_view text) {
+    return parseWhole<float>(text);
+}
+
+std::optional<std::pair<int, int>> parseSize(std::string_view text) {
+    const std::size_t cross = text.find('x');
+    if (cross == std::string_view::npos) {
+        return std::nullopt;
+    }
+    const auto width = parseWhole<int>(text.substr(0, cross));
+    const auto height = parseWhole<int>(text.substr(cross + 1));
+    const auto fits = [](const std::optional<int>& size) {
+        return size && *size >= 1 && *size <= render::maxImageSize;
+    };
+    if (!fits(width) || !fits(height)) {
+        return std::nullopt;
+    }
+    return std::pair(*width, *height);
+}
+
+std::optional<int> parseSquare(std::string_view text) {
+    constexpr int maxSide = 64;
+    const auto number = parseWhole<int>(text);
+    for (int side = 1; number && side <= maxSide; ++side) {
+        if (side * side == *number) {
+            return side;
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<std::pair<float, float>> parsePair(std::string_view text) {
+    const std::size_t comma = text.find(',');
+    if (comma == std::string_view::npos) {
+        return std::nullopt;
+    }
+    const auto first = parseFloat(text.substr(0, comma));
+    const auto second = parseFloat(text.substr(comma + 1));
+    if (!first || !second || !std::isfinite(*first) || !std::isfinite(*second)) {
+        return std::nullopt;
+    }
+    return std::pair(*first, *second);
+}
+
+}  // namespace raytorus::cli

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// raytorus render: a scene file to a picture file.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <bit>
+#include <chrono>
+#include <map>
+#include <memory>
+
+#include "cli/command.hpp"
+#include "cli/device_options.hpp"
+#include "cli/number_text.hpp"
+#include "cli/progress.hpp"
+#include "cli/render_stats.hpp"
+#include "image/image_io.hpp"
+#include "render/renderer.hpp"
+#include "render/scene_json.hpp"
+
+namespace raytorus::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr const char* footer = R"(The picture:
+  .exr  linear float32: R G B A, t, position.x .y .z, normal.x .y .z, uv.u uv.v, count, id.
+        All but RGBA belong to the ray through the middle of the pixel; count is the number of surfaces on the whole
+        ray, id the torus' place in the scene, -1 where nothing is hit (the others are 0 there)
+  .png  8 bit, sRGB
+
+Examples:
+  raytorus render scenes/ring.json -o ring.png
+  raytorus render scenes/chain.json -o chain.exr --route compute --stats text
+  raytorus render scenes/chain.json -o big.png --size 3840x2160 --spp 16)";
+
+struct RenderCommand {
+    std::string scene;
+    std::string output;
+    std::string size;
+    std::string samples = "1";
+    std::string stats;
+    render::RenderOptions options;
+    DeviceOptions device;
+};
+
+// Seconds since the last call.
+class StopWatch {
+public:
+    double lap() {
+        const Clock::time_point now = Clock::now();
+        return std::chrono::duration<double>(now - std::exchange(last, now)).count();
+    }
+
+private:
+    Clock::time_point last = Clock::now();
+};
+
+std::string lowerExtension(const std::string& path) {
+    std::string extension = std::filesystem::path(path).extension().string();
+    for (char& c : extension) {
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    return extension;
+}
+
+// Bit patterns: comparisons with NaN are what a compiler may optimise away.
+bool isFinite(float value) {
+    constexpr std::uint32_t exponent = 0x7f800000U;
+    return (std::bit_cast<std::uint32_t>(value) & exponent) != exponent;
+}
+
+void requireFinite(const image::Image& picture) {
+    const auto channels = static_cast<std::size_t>(picture.channelCount());
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+        if (!isFinite(picture.pixels[i])) {
+            const std::size_t pixel = i / channels;
+            const auto width = static_cast<std::size_t>(picture.width);
+            throw Error(
+                ExitCode::NonFinite,
+                fmt::format("the picture holds {} in channel {} of pixel ({}, {}); nothing was written",
+                            picture.pixels[i], picture.channelNames[i % channels], pixel % width,
+                            pixel / width));
+        }
+    }
+}
+
+void readOptions(RenderCommand& command) {
+    if (!command.size.empty()) {
+        const auto size = parseSize(command.size);
+        if (!size) {
+            throw Error(ExitCode::Usage,
+                        fmt::format("--size takes WIDTHxHEIGHT, each from 1 to {}, not \"{}\"",
+                                    render::maxImageSize, command.size));
+        }
+        std::tie(command.options.width, command.options.height) = *size;
+    }
+    const auto side = parseSquare(command.samples);
+    if (!side) {
+        throw Error(
+            ExitCode::Usage,
+            fmt::format("--spp takes a square number of samples, 1, 4, 9, ... 4096, for a regular grid, not "
+                        "\"{}\"",
+                        command.samples));
+    }
+    command.options.samplesPerSide = *side;
+    const std::string extension = lowerExtension(command.output);
+    if (extension != ".exr" && extension != ".png") {
+        throw Error(ExitCode::Usage,
+                    fmt::format("--output must end in .exr or .png, not \"{}\"", command.output));
+    }
+    command.options.aovs = extension == ".exr";
+    command.options.shaders = command.device.shaders();
+}
+
+ExitCode runRender(RenderCommand command) {
+    const Clock::time_point begin = Clock::now();
+    StopWatch watch;
+    readOptions(command);
+    RenderStats stats;
+    const render::Scene scene = render::readScene(command.scene);
+    stats.read = watch.lap();
+    render::RenderResult result;
+    withDevice(command.device, [&](gpu::Context& context) {
+        stats.instance = watch.lap();
+        stats.device = context.info();
+        Progress progress("rendering");
+        command.options.progress = [&progress](double done) { progress.show(done); };
+        result = render::render(context, scene, command.options);
+    });
+    requireFinite(result.picture);
+    watch.lap();
+    image::writeImage(command.output, result.picture);
+    stats.write = watch.lap();
+    stats.render = result.times;
+    stats.route = command.options.route;
+    stats.width = result.picture.width;
+    stats.height = result.picture.height;
+    stats.samplesPerPixel = command.options.samplesPerSide * command.options.samplesPerSide;
+    stats.total = std::chrono::duration<double>(Clock::now() - begin).count();
+    if (!command.stats.empty()) {
+        fmt::print("{}\n", command.stats == "json" ? statsJson(stats) : statsText(stats));
+    }
+    return ExitCode::Ok;
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& app, Action& action) {
+    const auto command = std::make_shared<RenderCommand>();
+    CLI::App* sub = app.add_subcommand("render", "Render a scene file to a picture");
+    sub->add_option("scene", command->scene, "The scene, a JSON file (docs/scenes.md)")
+        ->required()
+        ->option_text("SCENE.json");
+    sub->add_option("-o,--output", command->output, "The picture: .exr or .png")
+        ->required()
+        ->option_text("FILE");
+    const std::map<std::string, render::Route> routes = {{"fragment", render::Route::Fragment},
+                                                         {"compute", render::Route::Compute}};
+    sub->add_option("--route", command->options.route, "The pipeline that runs the shaders")
+        ->transform(CLI::CheckedTransformer(routes))
+        ->option_text("fragment|compute [fragment]");
+    sub->add_option("--size", command->size, "Size of the picture instead of the scene's")
+        ->option_text("WxH");
+    sub->add_option("--spp", command->samples, "Samples a pixel, on a regular grid: a square number")
+        ->option_text("N [1]");
+    sub->add_option("--stats", command->stats, "Print where the time went")
+        ->expected(0, 1)
+        ->default_str("text")
+        ->check(CLI::IsMember({"text", "json"}))
+        ->option_text("text|json");
+    addDeviceOptions(*sub, command->device);
+    sub->footer(footer);
+    sub->callback([command, &action] { action = [command] { return runRender(*command); }; });
+}
+
+}  // namespace raytorus::cli

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// raytorus trace: a file of rays against one torus.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "cli/command.hpp"
+#include "cli/device_options.hpp"
+#include "cli/number_text.hpp"
+#include "cli/progress.hpp"
+#include "cli/ray_file.hpp"
+#include "render/tracer.hpp"
+
+namespace raytorus::cli {
+namespace {
+
+constexpr const char* footer =
+    R"(Files are CSV if their name ends in .csv, otherwise raw little-endian float32.
+  rays  8 values a ray: origin x, y, z, tMin, direction x, y, z, tMax. CSV may have a header line, blank lines and
+        lines that start with #. tMax may be inf
+  hits  a row a ray, in the same order:
+          nearest  8 values: hit (1 or 0), t, position x, y, z, normal x, y, z
+          --all    17 values: count, four t, four positions
+          --any    1 value: 1 or 0
+        where there is no hit, t is tMax and position and normal are 0
+
+Examples:
+  raytorus trace rays.csv -o hits.csv --torus 1,0.25
+  raytorus trace rays.bin -o hits.bin --torus 1640,6 --all)";
+
+// Rays of one submission: large enough to keep a GPU busy, small enough that no watchdog minds.
+constexpr std::size_t chunkRays = std::size_t{1} << 20U;
+
+struct TraceCommand {
+    std::string rays;
+    std::string hits;
+    std::string torus;
+    bool all = false;
+    bool any = false;
+    DeviceOptions device;
+};
+
+ExitCode runTrace(const TraceCommand& command) {
+    const auto radii = parsePair(command.torus);
+    if (!radii) {
+        throw Error(
+            ExitCode::Usage,
+            fmt::format("--torus takes the major and the minor radius as R,r, not \"{}\"", command.torus));
+    }
+    const auto [majorRadius, minorRadius] = *radii;
+    if (!(majorRadius >= 0.0F) || !(minorRadius > 0.0F)) {
+        throw Error(ExitCode::Usage,
+                    fmt::format("--torus needs R >= 0 and r > 0, not \"{}\"", command.torus));
+    }
+    const render::Query query = command.all   ? render::Query::All
+                                : command.any ? render::Query::Any
+                                              : render::Query::Nearest;
+    RayReader reader(command.rays, formatOf(command.rays));
+    HitWriter writer(command.hits, formatOf(command.hits), query);
+    withDevice(command.device, [&](gpu::Context& context) {
+        const std::size_t chunk = std::min(chunkRays, render::Tracer::maxCapacity(context, query));
+        render::Tracer tracer(context, query, chunk, command.device.shaders());
+        Progress progress("tracing");
+        for (auto rays = reader.read(chunk); !rays.empty(); rays = reader.read(chunk)) {
+            writer.write(tracer.trace(majorRadius, minorRadius, rays));
+            progress.show(reader.done());
+        }
+    });
+    writer.commit();
+    return ExitCode::Ok;
+}
+
+}  // namespace
+
+void addTraceCommand(CLI::App& app, Action& action) {
+    const auto command = std::make_shared<TraceCommand>();
+    CLI::App* sub = app.add_subcommand("trace", "Trace a file of rays against one torus");
+    sub->add_option("rays", command->rays, "The rays")->required()->option_text("RAYS");
+    sub->add_option("-o,--output", command->hits, "The hits, in the order of the rays")
+        ->required()
+        ->option_text("HITS");
+    sub->add_option("--torus", command->torus, "Major and minor radius")->required()->option_text("R,r");
+    CLI::Option* all = sub->add_flag("--all", command->all, "All hits of each ray, not only the nearest");
+    sub->add_flag("--any", command->any, "Only whether there is a hit")->excludes(all);
+    addDeviceOptions(*sub, command->device);
+    sub->footer(footer);
+    sub->callback([command, &action] { action = [command] { return runTrace(*command); }; });
+}
+
+}  // namespace raytorus::cli
