@@ -70,6 +70,7 @@ void checkFeatures(DeviceInfo& device) {
     };
     require(features13.dynamicRendering, "dynamicRendering");
     require(features13.synchronization2, "synchronization2");
+    require(features13.maintenance4, "maintenance4");
     if (features.features.shaderFloat64 == VK_TRUE) {
         device.features.emplace_back("shaderFloat64 (not needed)");
     }

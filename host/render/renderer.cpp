@@ -97,7 +97,7 @@ RoutePlan makePlan(const gpu::Context& context, const Scene& scene, const Render
 
 // Rows are rendered in bands, so that no submission runs long: a GPU's watchdog ends those, and progress is
 // seen. The bands are as high as took about this long at the speed of the one before.
-constexpr double bandSeconds = 2.5;
+constexpr double bandSeconds = 0.25;
 constexpr std::uint32_t bandRowUnit = 64;  // lavapipe's tiles are 64 x 64 pixels
 constexpr std::uint32_t firstBandPixels = 65536;
 
@@ -136,10 +136,7 @@ void renderBands(gpu::Context& context, const RenderOptions& options, const Pict
         (row == 0 ? times.firstBand : times.otherBands) += seconds;
         (row == 0 ? times.firstPixels : times.otherPixels) += std::int64_t{extent.width} * (end - row);
         deviceSeconds += row == 0 ? 0.0 : timestamps.seconds().value_or(0.0);
-        if (getenv("BANDS"))
-            fprintf(stderr, "band %u..%u %.1f ms device %.1f\n", row, end, seconds * 1e3,
-                    1e3 * timestamps.seconds().value_or(0));
-        rows = getenv("BANDS") ? 64 : nextBandRows(end - row, seconds);
+        rows = nextBandRows(end - row, seconds);
         row = end;
         if (options.progress) {
             options.progress(static_cast<double>(row) / extent.height);

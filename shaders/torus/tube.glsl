@@ -25,8 +25,10 @@
 #define TORUS_ROOT_STEPS 48
 // An extremum is near enough when a step is shorter than this part of r; the next error is its square, and G is flat.
 #define TORUS_EXTREMUM_STEP 0.00390625
-// A root is near enough when a step is shorter than this part of R + r. Newton has squared the error by then.
-#define TORUS_ROOT_STEP 6.0e-8
+// A root is near enough when a step is shorter than this part of R + r, some two ulp, or when G is less than this part
+// of r (R + r), which is its rounding: without the second, Newton hops to and fro for ever near a tangent.
+#define TORUS_ROOT_STEP 2.4e-7
+#define TORUS_ROOT_VALUE 1.2e-7
 
 // G and half its slope at u, evaluated from the point itself: (rho - R - r)(rho - R + r) + z^2 rounds to some 2^-24 of
 // r (R + r) near the surface, where the polynomial would round to 2^-24 (R + r)^2 and lose a thin tube.
@@ -150,6 +152,7 @@ float torus_root(torus_Line line, float lower, float upper, bool rising, float s
     TORUS_PRECISE float hi = upper;
     TORUS_PRECISE float u = start > lo && start < hi ? start : 0.5 * (lo + hi);
     TORUS_PRECISE float enough = TORUS_ROOT_STEP * (line.majorRadius + line.minorRadius);
+    TORUS_PRECISE float noise = TORUS_ROOT_VALUE * line.minorRadius * (line.majorRadius + line.minorRadius);
     bool busy = wanted;
     for (int i = 0; i < TORUS_ROOT_STEPS && busy; ++i) {
         float slope;
@@ -160,7 +163,7 @@ float torus_root(torus_Line line, float lower, float upper, bool rising, float s
         TORUS_PRECISE float next = u - 0.5 * value / slope;
         bool trusted = next >= lo && next <= hi;
         next = trusted ? next : 0.5 * (lo + hi);
-        busy = abs(next - u) > enough;
+        busy = abs(next - u) > enough && abs(value) > noise;
         u = next;
     }
     return u;
