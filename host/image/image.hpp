@@ -2,7 +2,9 @@
 // An image in memory: float32, any number of named channels, rows from the top, channels interleaved.
 #pragma once
 
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -30,5 +32,19 @@ struct Image {
     [[nodiscard]] std::span<float> pixel(int x, int y);
     [[nodiscard]] std::span<const float> pixel(int x, int y) const;
 };
+
+/// Neither NaN nor infinite. A test of the bits, so that no compiler flag can undo it.
+[[nodiscard]] constexpr bool isFinite(float value) {
+    constexpr std::uint32_t exponentBits = 0x7f800000u;
+    return (std::bit_cast<std::uint32_t>(value) & exponentBits) != exponentBits;
+}
+
+// What a readable image may be at most. A damaged header cannot make us ask for more memory than this.
+inline constexpr int maxImageSide = 65536;
+inline constexpr int maxImageChannels = 256;
+inline constexpr std::size_t maxImageValues = std::size_t{1} << 30;  ///< 4 GiB of pixels
+
+/// Why an image cannot have this shape, as the end of a sentence, or nothing when it can.
+[[nodiscard]] std::string shapeProblem(int width, int height, std::span<const std::string> channelNames);
 
 }  // namespace raytorus::image

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// How far an image may be from the one that was expected.
+#include "image/compare_rules.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/error.hpp"
+
+namespace raytorus::image {
+
+namespace {
+
+[[noreturn]] void fail(const std::string& sentence) {
+    throw Error(ExitCode::Usage, sentence);
+}
+
+void checkTolerance(double value, std::string_view what) {
+    // Written so that NaN is refused too.
+    if (!(value >= 0.0 && value <= std::numeric_limits<double>::max())) {
+        fail(fmt::format("The {} must be a finite number that is not negative, not {}.", what, value));
+    }
+}
+
+void checkRule(const CompareRule& rule, const std::string& where) {
+    checkTolerance(rule.tolerance, "tolerance" + where);
+    checkTolerance(rule.relativeTolerance, "relative tolerance" + where);
+}
+
+}  // namespace
+
+double CompareRule::limit(float expected) const {
+    return std::max(tolerance, relativeTolerance * std::abs(static_cast<double>(expected)));
+}
+
+const CompareRule& CompareRules::ruleFor(std::string_view channelName) const {
+    const auto found = channelRules.find(channelName);
+    return found == channelRules.end() ? defaultRule : found->second;
+}
+
+void checkRules(const CompareRules& rules, std::span<const std::string> channelNames) {
+    checkRule(rules.defaultRule, "");
+    for (const auto& [name, rule] : rules.channelRules) {
+        checkRule(rule, fmt::format(" of channel {}", name));
+        if (std::ranges::find(channelNames, name) == channelNames.end()) {
+            fail(fmt::format("A tolerance is given for the channel {}, but the images have {}.", name,
+                             fmt::join(channelNames, ", ")));
+        }
+    }
+    if (rules.allowedPixels < 0) {
+        fail(fmt::format("The number of allowed pixels must not be negative, but is {}.",
+                         rules.allowedPixels));
+    }
+    if (rules.windowSize < 1) {
+        fail(fmt::format("The window must be at least 1 pixel wide, but is {}.", rules.windowSize));
+    }
+    if (rules.windowLimit && *rules.windowLimit < 0) {
+        fail(fmt::format("The window limit must not be negative, but is {}.", *rules.windowLimit));
+    }
+}
+
+}  // namespace raytorus::image

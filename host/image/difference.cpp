@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// A picture of where two images differ, and whether it matters.
+#include "image/difference.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "core/error.hpp"
+#include "image/compare.hpp"
+#include "image/srgb.hpp"
+
+namespace raytorus::image {
+
+namespace {
+
+using Colour = std::array<double, 3>;  // as shown: sRGB, 0 to 255
+
+constexpr Colour black = {0, 0, 0};
+constexpr Colour darkBlue = {24, 48, 128};
+constexpr Colour lightBlue = {96, 160, 255};
+constexpr Colour orange = {255, 112, 0};
+constexpr Colour yellow = {255, 224, 64};
+constexpr Colour white = {255, 255, 255};
+constexpr Colour magenta = {255, 0, 255};
+
+// How many powers of ten over the limit the colours from orange to white show.
+constexpr double decades = 3.0;
+
+// Stands for the limit where nothing is tolerated: about ten last bits of a float near 1.
+constexpr double exactScale = 1e-6;
+
+Colour between(const Colour& from, const Colour& to, double t) {
+    return {std::lerp(from[0], to[0], t), std::lerp(from[1], to[1], t), std::lerp(from[2], to[2], t)};
+}
+
+// Position on the whole scale: 0 is equal, up to 1 is within the limit, 1 + n is 10^n limits.
+double severity(double difference, double limit) {
+    if (difference <= 0.0) {
+        return 0.0;
+    }
+    if (difference <= limit) {
+        return difference / limit;
+    }
+    return 1.0 + std::max(0.0, std::log10(difference / (limit > 0.0 ? limit : exactScale)));
+}
+
+Colour ramp(double position, bool overLimit) {
+    if (position <= 0.0) {
+        return black;
+    }
+    if (!overLimit) {
+        return between(darkBlue, lightBlue, position);
+    }
+    const double t = std::min((position - 1.0) / decades, 1.0);
+    return t < 0.5 ? between(orange, yellow, 2.0 * t) : between(yellow, white, 2.0 * t - 1.0);
+}
+
+Colour pixelColour(std::span<const float> expected, std::span<const float> actual,
+                   std::span<const std::size_t> actualChannel, std::span<const CompareRule> rules) {
+    double worst = 0.0;
+    bool overLimit = false;
+    for (std::size_t channel = 0; channel < expected.size(); ++channel) {
+        const float expectedValue = expected[channel];
+        const float actualValue = actual[actualChannel[channel]];
+        if (!isFinite(expectedValue) || !isFinite(actualValue)) {
+            return magenta;
+        }
+        const double difference =
+            std::abs(static_cast<double>(actualValue) - static_cast<double>(expectedValue));
+        const double limit = rules[channel].limit(expectedValue);
+        worst = std::max(worst, severity(difference, limit));
+        overLimit |= difference > limit;
+    }
+    return ramp(worst, overLimit);
+}
+
+}  // namespace
+
+Image differenceImage(const Image& expected, const Image& actual, const CompareRules& rules) {
+    const std::vector<std::size_t> actualChannel = matchChannels(expected, actual);
+    if (actualChannel.empty()) {
+        throw Error(ExitCode::SizeDiffers,
+                    "There is no difference picture of images of other size or channels.");
+    }
+    std::vector<CompareRule> channelRules;
+    for (const std::string& name : expected.channelNames) {
+        channelRules.push_back(rules.ruleFor(name));
+    }
+    Image picture(expected.width, expected.height, {"R", "G", "B"});
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; ++x) {
+            const Colour colour =
+                pixelColour(expected.pixel(x, y), actual.pixel(x, y), actualChannel, channelRules);
+            std::ranges::transform(colour, picture.pixel(x, y).begin(), [](double shown) {
+                return decodeSrgb(static_cast<std::uint8_t>(std::lround(shown)));
+            });
+        }
+    }
+    return picture;
+}
+
+}  // namespace raytorus::image

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Images made fit to be looked at, as text that a page can hold.
+#include "image/report_picture.hpp"
+
+#include <OpenImageIO/strutil.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string_view>
+
+#include "image/image_codec.hpp"
+
+namespace raytorus::image {
+
+namespace {
+
+struct Range {
+    double low = std::numeric_limits<double>::max();
+    double high = std::numeric_limits<double>::lowest();
+};
+
+Range finiteRange(const Image& image, std::size_t channel) {
+    Range range;
+    for (std::size_t i = channel; i < image.pixels.size(); i += image.channelNames.size()) {
+        if (isFinite(image.pixels[i])) {
+            range.low = std::min(range.low, static_cast<double>(image.pixels[i]));
+            range.high = std::max(range.high, static_cast<double>(image.pixels[i]));
+        }
+    }
+    return range;
+}
+
+}  // namespace
+
+Image displayImage(const Image& image, const Image& scale) {
+    std::array<std::size_t, 3> channels = {0, 0, 0};
+    const std::array<int, 3> colour = {image.channelIndex("R"), image.channelIndex("G"),
+                                       image.channelIndex("B")};
+    const bool hasColour = std::ranges::min(colour) >= 0;
+    Range range{0.0, 1.0};
+    if (hasColour) {
+        std::ranges::transform(colour, channels.begin(),
+                               [](int index) { return static_cast<std::size_t>(index); });
+    } else {
+        range = finiteRange(scale, 0);
+    }
+    Image shown(image.width, image.height, {"R", "G", "B"});
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            const std::span<const float> from = image.pixel(x, y);
+            const std::span<float> to = shown.pixel(x, y);
+            if (!std::ranges::all_of(channels,
+                                     [&](std::size_t channel) { return isFinite(from[channel]); })) {
+                std::ranges::copy(std::array{1.0f, 0.0f, 1.0f}, to.begin());
+                continue;
+            }
+            std::ranges::transform(channels, to.begin(), [&](std::size_t channel) {
+                const double value = from[channel];
+                const double part =
+                    range.high > range.low ? (value - range.low) / (range.high - range.low) : 0.5;
+                return static_cast<float>(std::clamp(part, 0.0, 1.0));
+            });
+        }
+    }
+    return shown;
+}
+
+std::string pngDataUri(const Image& image) {
+    const std::vector<std::byte> png = encode(image, Format::Png, "picture in a report");
+    const std::string_view bytes(reinterpret_cast<const char*>(png.data()), png.size());
+    return "data:image/png;base64," +
+           OIIO::Strutil::base64_encode(OIIO::string_view(bytes.data(), bytes.size()));
+}
+
+}  // namespace raytorus::image

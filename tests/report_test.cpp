@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// The report: one file with everything in it, safe against what names may hold, failures first.
+#include "image/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "expect_error.hpp"
+#include "image/image_codec.hpp"
+#include "image/report_picture.hpp"
+#include "scratch_folder.hpp"
+
+namespace raytorus::image {
+namespace {
+
+using test::fileText;
+using test::namesIn;
+using test::scratchFolder;
+
+Image image(float value, std::vector<std::string> names = {"R", "G", "B", "A"}) {
+    Image made(6, 4, std::move(names));
+    std::ranges::fill(made.pixels, value);
+    return made;
+}
+
+ReportCase made(const std::string& name, const Image& expected, const Image& actual) {
+    return reportCase(name, expected, actual, compare(expected, actual, {}));
+}
+
+std::size_t count(const std::string& text, const std::string& what) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) {
+        ++found;
+    }
+    return found;
+}
+
+ReportCase missing(const std::string& name) {
+    ReportCase reported;
+    reported.name = name;
+    reported.sentence = "There is no expected image.";
+    reported.actual = image(0.5f);
+    return reported;
+}
+
+TEST(Report, IsOneFileThatNeedsNothingElse) {
+    const auto folder = scratchFolder();
+    const std::vector<ReportCase> cases = {made("same", image(0.5f), image(0.5f)),
+                                           made("other", image(0.5f), image(0.75f)), missing("missing")};
+    writeReport(folder / "report.html", cases);
+    EXPECT_EQ(namesIn(folder), std::vector<std::string>{"report.html"});
+    const std::string html = fileText(folder / "report.html");
+    EXPECT_EQ(html, reportHtml(cases));
+    for (const char* outside : {"http", "://", "src=", "<link", "@import", "file:"}) {
+        EXPECT_EQ(count(html, outside), 0u) << outside;
+    }
+    EXPECT_EQ(count(html, "url("), count(html, "url(data:image/png;base64,"));
+    // Three pictures of each compared case, one of the missing one.
+    EXPECT_EQ(count(html, "url(data:image/png;base64,"), 7u);
+    EXPECT_TRUE(html.starts_with("<!DOCTYPE html>\n"));
+    EXPECT_TRUE(html.ends_with("</html>\n"));
+}
+
+TEST(Report, EscapesWhatCasesAreCalled) {
+    const std::string hostile = "<script>alert(\"1\")</script>&'";
+    ReportCase reported =
+        made(hostile, image(0.5f, {"R", "G", "B", "<i>"}), image(0.75f, {"R", "G", "B", "<i>"}));
+    reported.sentence += hostile;
+    const std::string html = reportHtml(std::vector{reported});
+    EXPECT_EQ(count(html, "<script>"), 1u);  // our own
+    EXPECT_EQ(count(html, "<i>"), 0u);
+    EXPECT_EQ(count(html, "&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt;&amp;&#39;"), 2u);
+    EXPECT_EQ(count(html, "<td>&lt;i&gt;</td>"), 1u);
+    EXPECT_EQ(escapeHtml("plain text, 1 + 1"), "plain text, 1 + 1");
+}
+
+TEST(Report, ShowsFailuresFirstAndOpenOtherwiseInOrder) {
+    const std::string html = reportHtml(
+        std::vector{made("pass-b", image(0.5f), image(0.5f)), made("fail-b", image(0.5f), image(0.75f)),
+                    made("pass-a", image(0.5f), image(0.5f)), missing("fail-a")});
+    std::vector<std::size_t> places;
+    for (const char* name : {"fail-b", "fail-a", "pass-b", "pass-a"}) {
+        places.push_back(html.find("<h2>" + std::string(name) + "</h2>"));
+        EXPECT_NE(places.back(), std::string::npos) << name;
+    }
+    EXPECT_TRUE(std::ranges::is_sorted(places));
+    EXPECT_EQ(count(html, "<details class=\"case failed\" open>"), 2u);
+    EXPECT_EQ(count(html, "<details class=\"case\">"), 2u);
+    EXPECT_EQ(count(html, "2 of 4 cases failed."), 1u);
+}
+
+TEST(Report, TellsVerdictSentenceAndNumbers) {
+    const ReportCase reported = made("other", image(0.5f), image(0.75f));
+    const std::string html = reportHtml(std::vector{reported});
+    EXPECT_EQ(count(html, "<span class=\"verdict\">differ</span>"), 1u);
+    EXPECT_EQ(count(html, escapeHtml(reported.sentence)), 1u);
+    EXPECT_EQ(count(html, "<tr class=\"over\">"), 4u);
+    EXPECT_EQ(count(html, "<td>0.25</td>"), 12u);  // largest, mean and RMS of four channels
+    EXPECT_EQ(count(reportHtml(std::vector{missing("m")}), "<span class=\"verdict\">failed</span>"), 1u);
+    EXPECT_EQ(count(reportHtml({}), "There are no cases."), 1u);
+}
+
+TEST(Report, ShowsImagesThatCannotBeCompared) {
+    Image bad = image(0.5f);
+    bad.pixels[0] = std::numeric_limits<float>::quiet_NaN();
+    const std::string html = reportHtml(
+        std::vector{made("bad", bad, image(0.5f)), made("small", image(0.5f), Image(2, 2, {"Z"}))});
+    EXPECT_EQ(count(html, "non-finite"), 1u);
+    EXPECT_EQ(count(html, "size differs"), 1u);
+    EXPECT_EQ(count(html, "data-kind=\"difference\""), 1u);  // there is none of images of other size
+}
+
+TEST(ReportPicture, ColourIsShownAsItIsAndNonFiniteValuesInMagenta) {
+    Image hdr = image(0.25f, {"Z", "B", "G", "R"});
+    std::ranges::copy(std::array{9.0f, 3.0f, -1.0f, 0.5f}, hdr.pixel(0, 0).begin());
+    hdr.pixel(1, 0)[1] = std::numeric_limits<float>::infinity();
+    hdr.pixel(2, 0)[0] = std::numeric_limits<float>::quiet_NaN();  // Z is not shown
+    const Image shown = displayImage(hdr, image(0.0f));
+    EXPECT_EQ(std::vector(shown.pixels.begin(), shown.pixels.begin() + 9),
+              (std::vector{0.5f, 0.0f, 1.0f, 1.0f, 0.0f, 1.0f, 0.25f, 0.25f, 0.25f}));
+}
+
+TEST(ReportPicture, WithoutColourTheFirstChannelIsGreyInTheRangeOfTheOther) {
+    Image depth = image(3.0f, {"Z", "id"});
+    depth.pixel(0, 0)[0] = 2.5f;
+    depth.pixel(1, 0)[0] = 9.0f;
+    Image range = image(2.0f, {"Z"});
+    range.pixels[5] = 4.0f;
+    range.pixels[6] = std::numeric_limits<float>::infinity();
+    const Image shown = displayImage(depth, range);
+    EXPECT_EQ(std::vector(shown.pixels.begin(), shown.pixels.begin() + 9),
+              (std::vector{0.25f, 0.25f, 0.25f, 1.0f, 1.0f, 1.0f, 0.5f, 0.5f, 0.5f}));
+    EXPECT_EQ(displayImage(depth, image(1.0f, {"Z"})).pixels[0], 0.5f);  // a range of nothing
+}
+
+TEST(ReportPicture, TheDataIsThePngOfThePicture) {
+    const std::string uri = pngDataUri(image(0.5f, {"R", "G", "B"}));
+    const std::string start = "data:image/png;base64,iVBORw0KGgo";  // the PNG signature
+    EXPECT_EQ(uri.substr(0, start.size()), start);
+    const std::size_t bytes = encode(image(0.5f, {"R", "G", "B"}), Format::Png, "").size();
+    EXPECT_EQ(uri.size(), std::string("data:image/png;base64,").size() + (bytes + 2) / 3 * 4);
+    EXPECT_EQ(uri.find('\n'), std::string::npos);
+}
+
+}  // namespace
+}  // namespace raytorus::image
