@@ -6,11 +6,11 @@
 # declares <namespace>::find(name), with the file's name as it stands in SOURCES, without its folder. The modules lie
 # beside it in the build folder as <file>.spv. A change to an included file rebuilds exactly the shaders that include it.
 include_guard()
-find_package(Vulkan REQUIRED COMPONENTS glslangValidator)
-set(RAYTORUS_EMBED_SCRIPT "${CMAKE_CURRENT_LIST_DIR}/EmbedSpirv.cmake")
 
 function(raytorus_compile_shaders target)
     cmake_parse_arguments(ARG "" "NAMESPACE" "SOURCES" ${ARGN})
+    find_package(Vulkan REQUIRED COMPONENTS glslangValidator)  # imported targets belong to the calling folder
+    set(embed "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/EmbedSpirv.cmake")
     set(folder "${CMAKE_CURRENT_BINARY_DIR}/${target}")
     file(MAKE_DIRECTORY "${folder}")
     set(modules "")
@@ -26,8 +26,8 @@ function(raytorus_compile_shaders target)
     endforeach()
     add_custom_command(OUTPUT "${folder}/${target}.cpp" "${folder}/${target}.hpp"
         COMMAND "${CMAKE_COMMAND}" "-DMODULES=${modules}" "-DOUTPUT=${folder}/${target}" "-DNAMESPACE=${ARG_NAMESPACE}"
-                -P "${RAYTORUS_EMBED_SCRIPT}"
-        DEPENDS ${modules} "${RAYTORUS_EMBED_SCRIPT}" VERBATIM COMMENT "Embedding ${target}")
+                -P "${embed}"
+        DEPENDS ${modules} "${embed}" VERBATIM COMMENT "Embedding ${target}")
     add_library(${target} STATIC "${folder}/${target}.cpp" "${folder}/${target}.hpp")
     target_include_directories(${target} PUBLIC "${folder}")
     target_compile_features(${target} PUBLIC cxx_std_20)

@@ -24,8 +24,7 @@ inline void expectError(std::invocable auto run, ExitCode code, std::initializer
             EXPECT_NE(message.find(word), std::string::npos) << "\"" << word << "\" is not in: " << message;
         }
         EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 0) << message;
-        EXPECT_TRUE(message.ends_with('.') && !message.ends_with("..") && !message.ends_with(" ."))
-            << message;
+        EXPECT_FALSE(message.ends_with('.')) << message;
         return;
     }
     ADD_FAILURE() << "no Error was thrown";

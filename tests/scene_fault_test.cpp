@@ -278,13 +278,13 @@ TEST(SceneFault, File) {
             ADD_FAILURE() << path;
         } catch (const Error& error) {
             EXPECT_EQ(error.exitCode, ExitCode::File);
-            EXPECT_EQ(error.what(), path.string() + ": the scene cannot be read: " + reason);
+            EXPECT_EQ(error.what(), "cannot read \"" + path.string() + "\": " + reason);
         }
     };
     const std::filesystem::path folder = std::filesystem::path(RAYTORUS_TEST_OUTPUT_DIR) / "scene_fault";
     std::filesystem::create_directories(folder);
-    expectFileFault(folder / "missing.json", "No such file or directory");
-    expectFileFault(folder, "it is a folder");
+    expectFileFault(folder / "missing.json", "there is no such file");
+    expectFileFault(folder, "it is a directory");
 
     const std::filesystem::path file = folder / "bad.json";
     std::ofstream(file) << "{\"tori\": []}";

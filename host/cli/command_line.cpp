@@ -29,6 +29,31 @@ ExitCode fail(ExitCode code, const std::string& message) {
     return code;
 }
 
+// What CLI11 says, but for what it says too little of: it finds a positional argument missing before it finds
+// that what stands in its place is an option, or a command, which does not exist.
+std::string usageProblem(const CLI::App& app, const CLI::ParseError& error) {
+    const auto type = static_cast<CLI::ExitCodes>(error.get_exit_code());
+    const bool incomplete = type == CLI::ExitCodes::RequiredError || type == CLI::ExitCodes::ExtrasError;
+    const bool hasCommand = !app.get_subcommands().empty();
+    const std::vector<std::string> unknown = app.remaining(true);
+    if (incomplete && !unknown.empty()) {
+        const std::string& first = unknown.front();
+        if (first.starts_with('-')) {
+            return fmt::format("there is no option {}", first);
+        }
+        return hasCommand ? fmt::format("\"{}\" is one argument too many", first)
+                          : fmt::format("there is no command \"{}\"", first);
+    }
+    return incomplete && !hasCommand ? "a command is missing: render, trace, compare or doctor"
+                                     : error.what();
+}
+
+// The command whose --help tells more.
+std::string helpOf(const CLI::App& app) {
+    const std::vector<CLI::App*> commands = app.get_subcommands();
+    return fmt::format("raytorus {}--help", commands.empty() ? "" : commands.front()->get_name() + " ");
+}
+
 ExitCode parseAndRun(std::vector<std::string> arguments) {
     CLI::App app("Exact ray-torus intersection: render scenes, trace rays, compare pictures.", "raytorus");
     app.set_version_flag("--version", fmt::format("raytorus {}", version()));
@@ -46,7 +71,7 @@ ExitCode parseAndRun(std::vector<std::string> arguments) {
         app.exit(success);
         return ExitCode::Ok;
     } catch (const CLI::ParseError& error) {
-        return fail(ExitCode::Usage, fmt::format("{} (see raytorus --help)", error.what()));
+        return fail(ExitCode::Usage, fmt::format("{} (see {})", usageProblem(app, error), helpOf(app)));
     }
     return action();
 }

@@ -72,7 +72,7 @@ void refuseToOverwriteInput(const CompareOptions& options) {
         if (std::filesystem::equivalent(input, options.differencePath, ignored)) {
             throw Error(
                 ExitCode::Usage,
-                fmt::format("--difference would overwrite \"{}\", one of the images compared.", input));
+                fmt::format("--difference would overwrite \"{}\", one of the images compared", input));
         }
     }
 }

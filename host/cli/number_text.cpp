@@ -27,7 +27,12 @@ std::optional<Number> parseWhole(std::string_view text) {
 }  // namespace
 
 std::optional<float> parseFloat(std::string_view text) {
-    return parseWhole<float>(text);
+    if (const std::optional<float> value = parseWhole<float>(text)) {
+        return value;
+    }
+    // A number whose nearest float32 is 0 is out of range for std::from_chars too.
+    const std::optional<double> wide = parseWhole<double>(text);
+    return wide && std::abs(*wide) < 1.0 ? std::optional(static_cast<float>(*wide)) : std::nullopt;
 }
 
 std::optional<std::pair<int, int>> parseSize(std::string_view text) {

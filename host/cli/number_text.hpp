@@ -8,8 +8,8 @@
 
 namespace raytorus::cli {
 
-/// The float32 nearest to a decimal number; also "inf" and "nan" with an optional sign. Nothing if it is no
-/// number or too large for float32.
+/// The float32 nearest to a decimal number, which may be 0; also "inf" and "nan" with an optional sign.
+/// Nothing if it is no number or beyond the range of float32 (or, near zero, of double).
 std::optional<float> parseFloat(std::string_view text);
 
 /// "960x640": two whole numbers from 1 to 16384.

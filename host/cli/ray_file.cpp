@@ -37,8 +37,11 @@ std::vector<std::string_view> fieldsOf(std::string_view line) {
     }
 }
 
-// A header names its columns: none of its fields is a number.
+// A header names all the columns: none of its fields is a number.
 bool isHeader(const std::vector<std::string_view>& fields) {
+    if (fields.size() != rayFields) {
+        return false;  // a line with other separators would otherwise pass for one, and its ray be lost
+    }
     for (const std::string_view field : fields) {
         if (field.empty() || parseFloat(field)) {
             return false;
@@ -109,7 +112,11 @@ void RayReader::readCsv(std::vector<render::TraceRay>& rays, std::size_t most) {
     while (rays.size() < most && std::getline(file, text)) {
         ++line;
         position += text.size() + 1;
-        const std::string_view content = trimmed(text);
+        std::string_view content = trimmed(text);
+        constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";  // spreadsheets write one
+        if (line == 1 && content.starts_with(byteOrderMark)) {
+            content.remove_prefix(byteOrderMark.size());
+        }
         if (content.empty() || content.front() == '#') {
             continue;
         }

@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <bit>
 #include <chrono>
-#include <map>
 #include <memory>
 
 #include "cli/command.hpp"
@@ -13,6 +11,7 @@
 #include "cli/number_text.hpp"
 #include "cli/progress.hpp"
 #include "cli/render_stats.hpp"
+#include "core/file.hpp"
 #include "image/image_io.hpp"
 #include "render/renderer.hpp"
 #include "render/scene_json.hpp"
@@ -38,6 +37,7 @@ struct RenderCommand {
     std::string output;
     std::string size;
     std::string samples = "1";
+    std::string route = "fragment";
     std::string stats;
     render::RenderOptions options;
     DeviceOptions device;
@@ -63,16 +63,10 @@ std::string lowerExtension(const std::string& path) {
     return extension;
 }
 
-// Bit patterns: comparisons with NaN are what a compiler may optimise away.
-bool isFinite(float value) {
-    constexpr std::uint32_t exponent = 0x7f800000U;
-    return (std::bit_cast<std::uint32_t>(value) & exponent) != exponent;
-}
-
 void requireFinite(const image::Image& picture) {
     const auto channels = static_cast<std::size_t>(picture.channelCount());
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-        if (!isFinite(picture.pixels[i])) {
+        if (!image::isFinite(picture.pixels[i])) {
             const std::size_t pixel = i / channels;
             const auto width = static_cast<std::size_t>(picture.width);
             throw Error(
@@ -103,6 +97,14 @@ void readOptions(RenderCommand& command) {
                         command.samples));
     }
     command.options.samplesPerSide = *side;
+    if (command.route != "fragment" && command.route != "compute") {
+        throw Error(ExitCode::Usage,
+                    fmt::format("--route takes fragment or compute, not \"{}\"", command.route));
+    }
+    command.options.route = command.route == "compute" ? render::Route::Compute : render::Route::Fragment;
+    if (!command.stats.empty() && command.stats != "text" && command.stats != "json") {
+        throw Error(ExitCode::Usage, fmt::format("--stats takes text or json, not \"{}\"", command.stats));
+    }
     const std::string extension = lowerExtension(command.output);
     if (extension != ".exr" && extension != ".png") {
         throw Error(ExitCode::Usage,
@@ -119,6 +121,8 @@ ExitCode runRender(RenderCommand command) {
     RenderStats stats;
     const render::Scene scene = render::readScene(command.scene);
     stats.read = watch.lap();
+    // Throws if the file cannot be written, else leaves nothing: better now than after the work of minutes.
+    OutputFile(command.output);
     render::RenderResult result;
     withDevice(command.device, [&](gpu::Context& context) {
         stats.instance = watch.lap();
@@ -150,24 +154,17 @@ void addRenderCommand(CLI::App& app, Action& action) {
     CLI::App* sub = app.add_subcommand("render", "Render a scene file to a picture");
     sub->add_option("scene", command->scene, "The scene, a JSON file (docs/scenes.md)")
         ->required()
-        ->option_text("SCENE.json");
+        ->option_text("SCENE.json REQUIRED");
     sub->add_option("-o,--output", command->output, "The picture: .exr or .png")
         ->required()
-        ->option_text("FILE");
-    const std::map<std::string, render::Route> routes = {{"fragment", render::Route::Fragment},
-                                                         {"compute", render::Route::Compute}};
-    sub->add_option("--route", command->options.route, "The pipeline that runs the shaders")
-        ->transform(CLI::CheckedTransformer(routes))
+        ->option_text("FILE REQUIRED");
+    sub->add_option("--route", command->route, "The pipeline that runs the shaders")
         ->option_text("fragment|compute [fragment]");
     sub->add_option("--size", command->size, "Size of the picture instead of the scene's")
         ->option_text("WxH");
     sub->add_option("--spp", command->samples, "Samples a pixel, on a regular grid: a square number")
         ->option_text("N [1]");
-    sub->add_option("--stats", command->stats, "Print where the time went")
-        ->expected(0, 1)
-        ->default_str("text")
-        ->check(CLI::IsMember({"text", "json"}))
-        ->option_text("text|json");
+    sub->add_option("--stats", command->stats, "Print where the time went")->option_text("text|json");
     addDeviceOptions(*sub, command->device);
     sub->footer(footer);
     sub->callback([command, &action] { action = [command] { return runRender(*command); }; });

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 
 #include "cli/command.hpp"
 #include "cli/device_options.hpp"
@@ -41,6 +43,15 @@ struct TraceCommand {
     DeviceOptions device;
 };
 
+// The rays are read while the hits are written, and a slip must not cost them.
+void refuseToOverwriteRays(const TraceCommand& command) {
+    std::error_code ignored;
+    if (std::filesystem::equivalent(command.rays, command.hits, ignored)) {
+        throw Error(ExitCode::Usage,
+                    fmt::format("--output would overwrite the rays in \"{}\"", command.rays));
+    }
+}
+
 ExitCode runTrace(const TraceCommand& command) {
     const auto radii = parsePair(command.torus);
     if (!radii) {
@@ -56,6 +67,7 @@ ExitCode runTrace(const TraceCommand& command) {
     const render::Query query = command.all   ? render::Query::All
                                 : command.any ? render::Query::Any
                                               : render::Query::Nearest;
+    refuseToOverwriteRays(command);
     RayReader reader(command.rays, formatOf(command.rays));
     HitWriter writer(command.hits, formatOf(command.hits), query);
     withDevice(command.device, [&](gpu::Context& context) {
@@ -76,11 +88,13 @@ ExitCode runTrace(const TraceCommand& command) {
 void addTraceCommand(CLI::App& app, Action& action) {
     const auto command = std::make_shared<TraceCommand>();
     CLI::App* sub = app.add_subcommand("trace", "Trace a file of rays against one torus");
-    sub->add_option("rays", command->rays, "The rays")->required()->option_text("RAYS");
+    sub->add_option("rays", command->rays, "The rays")->required()->option_text("RAYS REQUIRED");
     sub->add_option("-o,--output", command->hits, "The hits, in the order of the rays")
         ->required()
-        ->option_text("HITS");
-    sub->add_option("--torus", command->torus, "Major and minor radius")->required()->option_text("R,r");
+        ->option_text("HITS REQUIRED");
+    sub->add_option("--torus", command->torus, "Major and minor radius")
+        ->required()
+        ->option_text("R,r REQUIRED");
     CLI::Option* all = sub->add_flag("--all", command->all, "All hits of each ray, not only the nearest");
     sub->add_flag("--any", command->any, "Only whether there is a hit")->excludes(all);
     addDeviceOptions(*sub, command->device);

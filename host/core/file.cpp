@@ -85,6 +85,11 @@ OutputFile::OutputFile(fs::path path) : target(std::move(path)), temporary(tempo
     if (fs::is_directory(target, problem)) {
         failWriting(target, "it is a directory");
     }
+    // To rename over a device or a pipe would put a file in its place.
+    const fs::file_status status = fs::status(target, problem);
+    if (fs::exists(status) && !fs::is_regular_file(status)) {
+        failWriting(target, "it is not a regular file");
+    }
     errno = 0;
     stream.open(temporary, std::ios::binary);
     if (!stream) {

@@ -14,7 +14,7 @@ public:
     static constexpr VkDeviceSize bytesPerPixel = 16;
 
     Image() = default;
-    /// Usable as colour attachment, as storage image and as the source of copies. Its contents start
+    /// Usable as colour attachment, as storage image, and for copies and clears. Its contents start
     /// undefined.
     Image(const Context& context, VkExtent2D extent);
 

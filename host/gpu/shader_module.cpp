@@ -13,9 +13,15 @@ namespace {
 constexpr std::size_t headerWords = 5;
 constexpr std::uint32_t magicNumber = 0x07230203;
 
-// Every instruction says its own length in words (2.3 again); together they fill the module exactly. A
-// truncated file is found here: drivers may crash on one.
-bool instructionsFill(std::span<const std::uint32_t> words) {
+// OpFunctionEnd, one word long: no module with a function ends otherwise.
+constexpr std::uint32_t functionEnd = 0x00010038;
+
+// Every instruction says its own length in words (2.3 again); together they fill the module exactly, up to the end of
+// its last function. A file that was cut off is found here: drivers and layers may crash on one.
+bool isWhole(std::span<const std::uint32_t> words) {
+    if (words.size() <= headerWords || words[0] != magicNumber || words.back() != functionEnd) {
+        return false;
+    }
     std::size_t at = headerWords;
     while (at < words.size()) {
         const std::size_t length = words[at] >> 16U;
@@ -24,14 +30,14 @@ bool instructionsFill(std::span<const std::uint32_t> words) {
         }
         at += length;
     }
-    return at == words.size() && at > headerWords;
+    return at == words.size();
 }
 
 }  // namespace
 
 ShaderModule::ShaderModule(const Context& context, std::span<const std::uint32_t> words,
                            const std::string& name) {
-    if (words.size() < headerWords || words[0] != magicNumber || !instructionsFill(words)) {
+    if (!isWhole(words)) {
         throw Error(ExitCode::Shader, fmt::format("{}: this is no complete SPIR-V module", name));
     }
     VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};

@@ -22,7 +22,7 @@ namespace {
 void checkTolerance(double value, std::string_view what) {
     // Written so that NaN is refused too.
     if (!(value >= 0.0 && value <= std::numeric_limits<double>::max())) {
-        fail(fmt::format("The {} must be a finite number that is not negative, not {}.", what, value));
+        fail(fmt::format("the {} must be a finite number that is not negative, not {}", what, value));
     }
 }
 
@@ -47,19 +47,19 @@ void checkRules(const CompareRules& rules, std::span<const std::string> channelN
     for (const auto& [name, rule] : rules.channelRules) {
         checkRule(rule, fmt::format(" of channel {}", name));
         if (std::ranges::find(channelNames, name) == channelNames.end()) {
-            fail(fmt::format("A tolerance is given for the channel {}, but the images have {}.", name,
+            fail(fmt::format("a tolerance is given for the channel {}, but the images have {}", name,
                              fmt::join(channelNames, ", ")));
         }
     }
     if (rules.allowedPixels < 0) {
-        fail(fmt::format("The number of allowed pixels must not be negative, but is {}.",
+        fail(fmt::format("the number of allowed pixels must not be negative, but is {}",
                          rules.allowedPixels));
     }
     if (rules.windowSize < 1) {
-        fail(fmt::format("The window must be at least 1 pixel wide, but is {}.", rules.windowSize));
+        fail(fmt::format("the window must be at least 1 pixel wide, but is {}", rules.windowSize));
     }
     if (rules.windowLimit && *rules.windowLimit < 0) {
-        fail(fmt::format("The window limit must not be negative, but is {}.", *rules.windowLimit));
+        fail(fmt::format("the window limit must not be negative, but is {}", *rules.windowLimit));
     }
 }
 

@@ -82,7 +82,7 @@ Image differenceImage(const Image& expected, const Image& actual, const CompareR
     const std::vector<std::size_t> actualChannel = matchChannels(expected, actual);
     if (actualChannel.empty()) {
         throw Error(ExitCode::SizeDiffers,
-                    "There is no difference picture of images of other size or channels.");
+                    "there is no difference picture of images of other size or channels");
     }
     std::vector<CompareRule> channelRules;
     for (const std::string& name : expected.channelNames) {

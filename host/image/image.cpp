@@ -64,7 +64,7 @@ std::string shapeProblem(int width, int height, std::span<const std::string> cha
 Image::Image(int imageWidth, int imageHeight, std::vector<std::string> names)
     : width(imageWidth), height(imageHeight), channelNames(std::move(names)) {
     if (const std::string problem = shapeProblem(width, height, channelNames); !problem.empty()) {
-        throw Error(ExitCode::Internal, fmt::format("An image cannot be made: {}.", problem));
+        throw Error(ExitCode::Internal, fmt::format("an image cannot be made: {}", problem));
     }
     pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * channelNames.size());
 }

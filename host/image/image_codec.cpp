@@ -33,11 +33,11 @@ const char* formatName(Format format) {
 }
 
 [[noreturn]] void failReading(std::string_view name, std::string_view reason) {
-    throw Error(ExitCode::File, fmt::format("Cannot read \"{}\": {}.", name, reason));
+    throw Error(ExitCode::File, fmt::format("cannot read \"{}\": {}", name, reason));
 }
 
 [[noreturn]] void failWriting(ExitCode code, std::string_view name, std::string_view reason) {
-    throw Error(code, fmt::format("Cannot write \"{}\": {}.", name, reason));
+    throw Error(code, fmt::format("cannot write \"{}\": {}", name, reason));
 }
 
 // OpenImageIO's message as a part of one sentence: its first line, without the full stop.

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/error.hpp"
-#include "image/file_bytes.hpp"
+#include "core/file.hpp"
 #include "image/image_codec.hpp"
 
 namespace raytorus::image {
@@ -36,19 +36,19 @@ Format formatOf(const std::filesystem::path& path) {
         return *format;
     }
     throw Error(ExitCode::File,
-                fmt::format("\"{}\" does not say its image format: its name must end in .exr or .png.",
+                fmt::format("\"{}\" does not say its image format: its name must end in .exr or .png",
                             path.string()));
 }
 
 }  // namespace
 
 Image readImage(const std::filesystem::path& path) {
-    const std::vector<std::byte> bytes = readBytes(path);
+    const std::vector<std::byte> bytes = readFile(path);
     return decode(bytes, formatOf(path), path.string());
 }
 
 void writeImage(const std::filesystem::path& path, const Image& image) {
-    writeBytes(path, encode(image, formatOf(path), path.string()));
+    writeFile(path, encode(image, formatOf(path), path.string()));
 }
 
 bool hasImageExtension(const std::filesystem::path& path) {

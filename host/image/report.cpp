@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The HTML of a report.
+#include "core/file.hpp"
 #include "image/report.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +12,6 @@
 
 #include "image/comparison_text.hpp"
 #include "image/difference.hpp"
-#include "image/file_bytes.hpp"
 #include "image/report_picture.hpp"
 #include "image/report_style.hpp"
 
@@ -140,7 +140,7 @@ std::string reportHtml(std::span<const ReportCase> cases) {
 
 void writeReport(const std::filesystem::path& path, std::span<const ReportCase> cases) {
     const std::string html = reportHtml(cases);
-    writeBytes(path, std::as_bytes(std::span(html)));
+    writeFile(path, std::as_bytes(std::span(html)));
 }
 
 std::string escapeHtml(std::string_view text) {

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "render/picture_targets.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <string>
+
+#include "core/error.hpp"
 
 namespace raytorus::render {
 namespace {
@@ -19,11 +23,20 @@ const std::array<const char*, 15> channelOrder = {
     "R",        "G",        "B",        "A",    "t",    "position.x", "position.y", "position.z",
     "normal.x", "normal.y", "normal.z", "uv.u", "uv.v", "count",      "id"};
 
-constexpr std::size_t colorChannels = 4;
+constexpr std::ptrdiff_t colorChannels = 4;
+
+std::vector<std::string> channelNames(bool aovs) {
+    return {channelOrder.begin(), aovs ? channelOrder.end() : channelOrder.begin() + colorChannels};
+}
 
 }  // namespace
 
 PictureTargets::PictureTargets(const gpu::Context& context, VkExtent2D extent, bool aovs) {
+    const std::string problem = image::shapeProblem(static_cast<int>(extent.width),
+                                                    static_cast<int>(extent.height), channelNames(aovs));
+    if (!problem.empty()) {
+        throw Error(ExitCode::OutOfMemory, fmt::format("the picture is too large: {}", problem));
+    }
     for (std::size_t i = 0; i < (aovs ? components.size() : 1); ++i) {
         targets.emplace_back(context, extent);
     }
@@ -38,11 +51,9 @@ void PictureTargets::begin(VkCommandBuffer commands, gpu::Use use, VkImageLayout
 image::Image PictureTargets::readBack(gpu::Context& context, gpu::Use use, VkImageLayout layout) const {
     const VkExtent2D extent = targets.front().extent();
     const std::size_t pixels = std::size_t{extent.width} * extent.height;
-    const std::size_t channels = targets.size() > 1 ? channelOrder.size() : colorChannels;
-    image::Image picture(
-        static_cast<int>(extent.width), static_cast<int>(extent.height),
-        std::vector<std::string>(channelOrder.begin(),
-                                 channelOrder.begin() + static_cast<std::ptrdiff_t>(channels)));
+    image::Image picture(static_cast<int>(extent.width), static_cast<int>(extent.height),
+                         channelNames(targets.size() > 1));
+    const std::size_t channels = picture.channelNames.size();
     // One image at a time through one buffer: a picture with everything needs memory for itself and little
     // more.
     const gpu::Buffer buffer(context, pixels * gpu::Image::bytesPerPixel, gpu::BufferUse::ReadBack);

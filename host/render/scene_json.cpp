@@ -5,20 +5,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <fstream>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
-#include <iterator>
 #include <limits>
 #include <optional>
-#include <system_error>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/file.hpp"
 #include "render/bvh.hpp"
 #include "render/json_node.hpp"
 
@@ -304,23 +301,7 @@ Scene parseScene(std::string_view text, std::string_view sourceName) {
 }
 
 Scene readScene(const std::filesystem::path& path) {
-    const auto fail = [&](const std::string& reason) {
-        throw Error(ExitCode::File, fmt::format("{}: the scene cannot be read: {}", path.string(), reason));
-    };
-    std::error_code error;
-    if (std::filesystem::is_directory(path, error)) {
-        fail("it is a folder");  // which opens like a file, and reads as an empty one
-    }
-    errno = 0;
-    std::ifstream file(path, std::ios::binary);
-    if (!file) {
-        fail(std::generic_category().message(errno));
-    }
-    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    if (file.bad()) {
-        fail(std::generic_category().message(errno));
-    }
-    return parseScene(text, path.string());
+    return parseScene(readTextFile(path), path.string());
 }
 
 }  // namespace raytorus::render

@@ -4,11 +4,10 @@
 #include <fmt/format.h>
 
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <span>
 
 #include "core/error.hpp"
+#include "core/file.hpp"
 #include "raytorus_shaders.hpp"
 
 namespace raytorus::render {
@@ -22,11 +21,7 @@ std::vector<std::uint32_t> ShaderSource::load(const std::string& name) const {
         return {words.begin(), words.end()};
     }
     const std::filesystem::path path = folder / (name + ".spv");
-    std::ifstream file(path, std::ios::binary);
-    if (!file) {
-        throw Error(ExitCode::File, fmt::format("{}: cannot be opened", path.string()));
-    }
-    const std::vector<char> bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    const std::vector<std::byte> bytes = readFile(path);
     if (bytes.size() % sizeof(std::uint32_t) != 0) {
         throw Error(ExitCode::Shader, fmt::format("{}: {} bytes are no whole number of SPIR-V words",
                                                   path.string(), bytes.size()));

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Fresh rays through the real SPIR-V, judged by the reference: on clear rays nothing is missed, nothing
+// invented, and positions are right to a few roundings. The seed is printed; set RAYTORUS_SEED to replay a
+// run.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <random>
+
+#include "device_fixture.hpp"
+#include "hit_judge.hpp"
+
+namespace raytorus {
+namespace {
+
+using reference::RayClass;
+
+// A position is projected onto the surface: three roundings of coordinates up to R + r.
+constexpr double maxOffSurface = 2.4e-7;
+
+std::uint64_t freshSeed() {
+    static const std::uint64_t seed = [] {
+        const char* given = std::getenv("RAYTORUS_SEED");
+        const std::uint64_t value =
+            given != nullptr ? std::strtoull(given, nullptr, 10) : std::random_device()();
+        fmt::print("RAYTORUS_SEED={}\n", value);
+        return value;
+    }();
+    return seed;
+}
+
+class HitAccuracy : public test::DeviceTest, public testing::WithParamInterface<RayClass> {};
+
+TEST_P(HitAccuracy, ClearRaysAreRight) {
+    constexpr std::uint64_t raysPerCase = 1000;
+    test::Judgement all;
+    for (const float minorRadius : {0.1F, 0.25F, 0.5F, 0.9F, 1.0F, 1.5F}) {
+        for (const double distance : {3.0, 10.0, 100.0}) {
+            reference::RayParameters parameters;
+            parameters.torus = {1.0F, minorRadius};
+            parameters.distance = distance;
+            parameters.seed = freshSeed();
+            const std::string name = fmt::format("{} r/R {} D/R {} seed {}", reference::nameOf(GetParam()),
+                                                 minorRadius, distance, parameters.seed);
+            const auto rays = reference::generateRays(GetParam(), parameters, raysPerCase);
+            const test::Judgement judgement = test::judgeHits(parameters.torus, rays, name);
+            for (const std::string& fault : judgement.faults) {
+                ADD_FAILURE() << fault;
+            }
+            EXPECT_EQ(judgement.faultCount, 0U) << name;
+            EXPECT_LE(judgement.offSurface, maxOffSurface) << name;
+            all.judged += judgement.judged;
+            all.hits += judgement.hits;
+            all.positionError = std::max(all.positionError, judgement.positionError);
+        }
+    }
+    EXPECT_GT(all.judged, 18 * raysPerCase / 2) << "the class is to have mostly clear rays";
+    EXPECT_GT(all.hits, 18 * raysPerCase / 20) << "the class is to hit";
+    RecordProperty("largestPositionError", fmt::format("{:.3g}", all.positionError));
+}
+
+INSTANTIATE_TEST_SUITE_P(Classes, HitAccuracy, testing::ValuesIn([] {
+                             std::vector<RayClass> classes(std::begin(reference::allRayClasses),
+                                                           std::end(reference::allRayClasses));
+                             std::erase(classes, RayClass::grazing);
+                             return classes;
+                         }()),
+                         [](const auto& row) { return std::string(reference::nameOf(row.param)); });
+
+}  // namespace
+}  // namespace raytorus

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "hit_judge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "device_fixture.hpp"
+#include "reference/torus_reference.hpp"
+#include "render/tracer.hpp"
+
+namespace raytorus::test {
+namespace {
+
+constexpr std::size_t shownFaults = 5;
+
+struct Answers {
+    std::vector<render::NearestHit> nearest;
+    std::vector<render::AllHits> all;
+    std::vector<float> any;
+};
+
+template <typename Row>
+std::vector<Row> traceAll(render::Query query, const reference::Torus& torus,
+                          const std::vector<render::TraceRay>& rays) {
+    render::Tracer tracer(device(), query, rays.size());
+    const std::span<const float> values = tracer.trace(torus.majorRadius, torus.minorRadius, rays);
+    std::vector<Row> rows(rays.size());
+    std::memcpy(rows.data(), values.data(), values.size_bytes());
+    return rows;
+}
+
+Answers ask(const reference::Torus& torus, const std::vector<reference::Ray>& rays) {
+    static_assert(sizeof(reference::Ray) == sizeof(render::TraceRay));
+    std::vector<render::TraceRay> input(rays.size());
+    std::memcpy(input.data(), rays.data(), rays.size() * sizeof(reference::Ray));
+    return {traceAll<render::NearestHit>(render::Query::Nearest, torus, input),
+            traceAll<render::AllHits>(render::Query::All, torus, input),
+            traceAll<float>(render::Query::Any, torus, input)};
+}
+
+double length(const reference::QuadVec3& v) {
+    return std::sqrt(reference::toDouble(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
+}
+
+double distanceBetween(const reference::QuadVec3& exact, const float (&actual)[3]) {
+    return length({exact[0] - actual[0], exact[1] - actual[1], exact[2] - actual[2]});
+}
+
+double cosineOfIncidence(const reference::Torus& torus, const reference::Ray& ray,
+                         const reference::Hit& hit) {
+    const reference::QuadVec3 normal = reference::normal(torus, hit.position);
+    const reference::QuadVec3 direction = reference::toQuad(ray.direction);
+    const double along =
+        reference::toDouble(normal[0] * direction[0] + normal[1] * direction[1] + normal[2] * direction[2]);
+    return std::abs(along) / length(direction);
+}
+
+// The verdicts of one ray; empty if they are right.
+std::string faultOf(const reference::Intersections& truth, const render::NearestHit& nearest,
+                    const render::AllHits& all, float any) {
+    const bool hit = truth.count > 0;
+    if ((nearest.hit != 0.0F) != hit) {
+        return hit ? "missed" : "false hit";
+    }
+    if (static_cast<int>(all.count) != truth.count) {
+        return fmt::format("{} hits instead of {}", all.count, truth.count);
+    }
+    if ((any != 0.0F) != hit) {
+        return fmt::format("torusOccluded says {}", any);
+    }
+    if (hit && (std::memcmp(&nearest.t, &all.t[0], sizeof(float)) != 0 ||
+                std::memcmp(nearest.position, all.position[0], sizeof(nearest.position)) != 0)) {
+        return "the nearest hit is not the first of all";
+    }
+    return {};
+}
+
+}  // namespace
+
+Judgement judgeHits(const reference::Torus& torus, const std::vector<reference::Ray>& rays,
+                    const std::string& name) {
+    const Answers answers = ask(torus, rays);
+    const double size = static_cast<double>(torus.majorRadius) + static_cast<double>(torus.minorRadius);
+    Judgement judgement;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const reference::Intersections truth = reference::intersect(torus, rays[i]);
+        if (truth.clearance < clearMargin || truth.endClearance() < clearEndMargin) {
+            ++judgement.unclear;
+            continue;
+        }
+        ++judgement.judged;
+        std::string fault = faultOf(truth, answers.nearest[i], answers.all[i], answers.any[i]);
+        for (int k = 0; k < truth.count && fault.empty(); ++k) {
+            const auto& exact = truth.hits[static_cast<std::size_t>(k)];
+            const float(&position)[3] = answers.all[i].position[k];
+            const double error =
+                distanceBetween(exact.position, position) / size * cosineOfIncidence(torus, rays[i], exact);
+            const double surface =
+                std::abs(reference::toDouble(reference::distance(torus, reference::toQuad(position))));
+            judgement.offSurface = std::max(judgement.offSurface, surface / size);
+            judgement.positionError = std::max(judgement.positionError, error);
+            if (!(error <= positionBound)) {
+                fault = fmt::format("position {} is off by {:.3g} (R + r) / cos", k, error);
+            }
+        }
+        judgement.hits += truth.count > 0 ? 1 : 0;
+        if (!fault.empty() && ++judgement.faultCount <= shownFaults) {
+            judgement.faults.push_back(
+                fmt::format("{}, ray {}: {}\n  {}", name, i, fault, reference::hexFloats(torus, rays[i])));
+        }
+    }
+    return judgement;
+}
+
+}  // namespace raytorus::test

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Holds the hits of trace.comp to the reference, ray by ray.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "reference/rays.hpp"
+
+namespace raytorus::test {
+
+/// What went wrong, or how far off what went right was.
+struct Judgement {
+    std::size_t judged = 0;  ///< rays whose verdict is clear
+    std::size_t unclear =
+        0;  ///< rays too near a tangent, or with a hit too near tMin or tMax, to have one verdict
+    std::size_t hits = 0;             ///< judged rays that hit
+    std::vector<std::string> faults;  ///< the first ones, each with the ray that shows it
+    std::size_t faultCount = 0;
+    double positionError = 0.0;  ///< the largest, in units of R + r, times the cosine of incidence; see below
+    double offSurface = 0.0;     ///< the largest distance of a hit's position from the surface, in R + r
+};
+
+/// A verdict is clear if the distance to the tube along the line has no extremum nearer to the surface than
+/// this part of r ...
+inline constexpr double clearMargin = 1e-3;
+
+/// ... and if neither end of the ray is nearer to it than this part of r. Less than for extrema: there the
+/// sign of the distance decides, which float32 knows to some 2^-24 (R + r) / r of r.
+inline constexpr double clearEndMargin = 2e-5;
+
+/// Rounding moves a root along the ray by the rounding of the distance to the surface over the cosine of the
+/// angle of incidence. So the position's error times that cosine has one bound for all rays, grazing or not:
+/// three roundings (2^-24 each) of numbers up to R + r and the projection's.
+inline constexpr double positionBound = 3e-7;
+
+/// Asks all three questions of each ray. `name` tells a failing ray's origin.
+Judgement judgeHits(const reference::Torus& torus, const std::vector<reference::Ray>& rays,
+                    const std::string& name);
+
+}  // namespace raytorus::test

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// Rays whose hits are known by hand, and rays that have broken others.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "device_fixture.hpp"
+#include "render/tracer.hpp"
+
+namespace raytorus {
+namespace {
+
+using render::AllHits;
+using render::TraceRay;
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+AllHits traceOne(float majorRadius, float minorRadius, const TraceRay& ray) {
+    render::Tracer tracer(test::device(), render::Query::All, 1);
+    const std::span<const float> values = tracer.trace(majorRadius, minorRadius, {&ray, 1});
+    AllHits hits{};
+    std::memcpy(&hits, values.data(), sizeof(hits));
+    return hits;
+}
+
+struct Known {
+    const char* name;
+    float majorRadius;
+    float minorRadius;
+    TraceRay ray;
+    std::vector<double> t;
+    double tolerance;  ///< of t
+};
+
+// Half an ulp of numbers up to 4, twice: the shift and the root.
+constexpr double ulps = 5e-7;
+
+class KnownRays : public test::DeviceTest, public testing::WithParamInterface<Known> {};
+
+TEST_P(KnownRays, HitWhereTheyMust) {
+    const Known& known = GetParam();
+    const AllHits hits = traceOne(known.majorRadius, known.minorRadius, known.ray);
+    ASSERT_EQ(hits.count, static_cast<float>(known.t.size()));
+    for (std::size_t i = 0; i < known.t.size(); ++i) {
+        EXPECT_NEAR(static_cast<double>(hits.t[i]), known.t[i], known.tolerance) << i;
+    }
+}
+
+const double s2 = std::sqrt(2.0);
+
+INSTANTIATE_TEST_SUITE_P(
+    All, KnownRays,
+    testing::Values(
+        Known{"alongX", 1, 0.25F, {{3, 0, 0}, 0, {-1, 0, 0}, infinity}, {1.75, 2.25, 3.75, 4.25}, ulps},
+        Known{"alongMinusX", 1, 0.25F, {{-3, 0, 0}, 0, {1, 0, 0}, infinity}, {1.75, 2.25, 3.75, 4.25}, ulps},
+        Known{"longDirection",
+              1,
+              0.25F,
+              {{3, 0, 0}, 0, {-4, 0, 0}, infinity},
+              {0.4375, 0.5625, 0.9375, 1.0625},
+              ulps},
+        Known{"parallelToTheAxis", 1, 0.25F, {{1, 0, 3}, 0, {0, 0, -1}, infinity}, {2.75, 3.25}, ulps},
+        Known{"alongTheAxisThroughTheHole", 1, 0.25F, {{0, 0, 3}, 0, {0, 0, -1}, infinity}, {}, ulps},
+        Known{"alongTheAxisOfASpindle", 1, 1.25F, {{0, 0, 3}, 0, {0, 0, -1}, infinity}, {2.25, 3.75}, ulps},
+        Known{"throughTheMiddleOfTheTubes",
+              1,
+              0.25F,
+              {{0, -3, 0}, 0, {0, 1, 0}, infinity},
+              {1.75, 2.25, 3.75, 4.25},
+              ulps},
+        Known{"diagonal",
+              1,
+              0.25F,
+              {{2, 2, 0}, 0, {-1, -1, 0}, infinity},
+              {2 - 1.25 / s2, 2 - 0.75 / s2, 2 + 0.75 / s2, 2 + 1.25 / s2},
+              ulps},
+        Known{"startsInside", 1, 0.25F, {{1, 0, 0}, 0, {1, 0, 0}, infinity}, {0.25}, ulps},
+        Known{"startsInsideAndCrossesTheHole",
+              1,
+              0.25F,
+              {{1, 0, 0}, 0, {-1, 0, 0}, infinity},
+              {0.25, 1.75, 2.25},
+              ulps},
+        Known{"startsInTheHole", 1, 0.25F, {{0, 0, 0}, 0, {1, 0, 0}, infinity}, {0.75, 1.25}, ulps},
+        Known{"behind", 1, 0.25F, {{3, 0, 0}, 0, {1, 0, 0}, infinity}, {}, ulps},
+        Known{"endsBefore", 1, 0.25F, {{3, 0, 0}, 0, {-1, 0, 0}, 1.5F}, {}, ulps},
+        Known{"endsInside", 1, 0.25F, {{3, 0, 0}, 0, {-1, 0, 0}, 2}, {1.75}, ulps},
+        Known{"beginsInside", 1, 0.25F, {{3, 0, 0}, 2, {-1, 0, 0}, 4}, {2.25, 3.75}, ulps},
+        Known{"negativeT", 1, 0.25F, {{0, 0, 0}, -2, {1, 0, 0}, 0}, {-1.25, -0.75}, ulps},
+        Known{"sphere", 0, 1, {{3, 0, 0}, 0, {-1, 0, 0}, infinity}, {2, 4}, ulps},
+        Known{"horn", 1, 1, {{3, 0, 0}, 0, {-1, 0, 0.5F}, infinity}, {1.2, 2.0}, ulps},
+        // Celeritas issue 1126: the float32 nearest to their input; its own exact root, which is not theirs.
+        Known{"celeritas",
+              143,
+              113.2F,
+              {{160.371250F, -6.351337F, -0.000241F}, 0, {0.852793F, -0.522249F, -0.000020F}, infinity},
+              {103.849236905981768},
+              4e-5}),
+    [](const auto& row) { return std::string(row.param.name); });
+
+}  // namespace
+}  // namespace raytorus
