@@ -97,7 +97,7 @@ vec3 sceneShade(SceneRay ray, SceneHit hit) {
         SceneLight light = frame.lights[i];
         precise vec3 path = light.vector.xyz - light.vector.w * start;
         precise float distance2 = sceneDot(path, path);
-        vec3 toLight = path / sqrt(distance2);
+        precise vec3 toLight = path / sqrt(distance2);
         precise float falloff = light.vector.w > 0.5 ? 1.0 / distance2 : 1.0;
         bool facing = sceneDot(normal, toLight) > 0.0;
         // The path is as long as the way to a point light: t = 1 is at the light.

@@ -18,11 +18,19 @@ constexpr const char* footer = R"(Examples:
   raytorus doctor
 
 Exit codes:
-  0 ok                      5 wrong command line       9 out of memory
-  1 internal error          6 invalid scene           10 device lost or time-out
-  2 comparison failed       7 shader refused          11 validation message
-  3 size or channels differ 8 no suitable device      12 NaN or infinity in a picture
-  4 file missing, damaged or not writable)";
+   0  ok
+   1  internal error
+   2  comparison failed
+   3  size or channels differ
+   4  file missing, damaged or not writable
+   5  wrong command line
+   6  invalid scene
+   7  shader refused
+   8  no suitable device
+   9  out of memory
+  10  device lost or time-out
+  11  validation message
+  12  NaN or infinity in a picture)";
 
 ExitCode fail(ExitCode code, const std::string& message) {
     fmt::print(stderr, "raytorus: {}\n", message);

@@ -165,6 +165,10 @@ void addRenderCommand(CLI::App& app, Action& action) {
     sub->add_option("--spp", command->samples, "Samples a pixel, on a regular grid: a square number")
         ->option_text("N [1]");
     sub->add_option("--stats", command->stats, "Print where the time went")->option_text("text|json");
+    sub->add_option("--repeat", command->options.repeats,
+                    "Render so many times and let --stats show the fastest, without what happens only once")
+        ->check(CLI::Range(1, 1000000))
+        ->option_text("N [1]");
     addDeviceOptions(*sub, command->device);
     sub->footer(footer);
     sub->callback([command, &action] { action = [command] { return runRender(*command); }; });

@@ -12,22 +12,36 @@ const char* routeName(render::Route route) {
     return route == render::Route::Fragment ? "fragment" : "compute";
 }
 
-// The steady speed: of the bands after the first, in which drivers compile. A picture of one band has no
-// other.
-double steadySeconds(const render::RenderTimes& times) {
-    return times.otherPixels > 0 ? times.otherBands : times.firstBand;
-}
+// The steady speed: of the fastest repeat, or of the bands after the first, in which drivers compile. A
+// picture of one band that is rendered once has no other.
+struct SteadySpeed {
+    double nanosecondsPerPixel;
+    double raysPerSecond;
+    const char* of;
+};
 
-std::int64_t steadyPixels(const render::RenderTimes& times) {
-    return times.otherPixels > 0 ? times.otherPixels : times.firstPixels;
+SteadySpeed steadySpeed(const RenderStats& stats) {
+    const render::PassTimes& first = stats.render.firstPass;
+    double seconds = first.firstBand;
+    auto pixels = static_cast<double>(first.firstPixels);
+    const char* of = "one band, compiling included";
+    if (stats.render.fastestRepeat) {
+        seconds = stats.render.fastestRepeat->total();
+        pixels = static_cast<double>(first.firstPixels + first.otherPixels);
+        of = "fastest repeat";
+    } else if (first.otherPixels > 0) {
+        seconds = first.otherBands;
+        pixels = static_cast<double>(first.otherPixels);
+        of = "bands after the first";
+    }
+    return {1e9 * seconds / pixels, pixels * stats.samplesPerPixel / seconds, of};
 }
 
 }  // namespace
 
 std::string statsText(const RenderStats& stats) {
     const render::RenderTimes& times = stats.render;
-    const double seconds = steadySeconds(times);
-    const auto pixels = static_cast<double>(steadyPixels(times));
+    const SteadySpeed speed = steadySpeed(stats);
     std::string text = fmt::format("{} ({})\n{} route, {}x{}, {} sample(s) a pixel\n", stats.device.name,
                                    stats.device.driverInfo, routeName(stats.route), stats.width, stats.height,
                                    stats.samplesPerPixel);
@@ -37,21 +51,23 @@ std::string statsText(const RenderStats& stats) {
     row("scene", stats.read + times.scene);
     row("instance", stats.instance);
     row("pipeline", times.pipeline);
-    row("first band", times.firstBand, fmt::format("{} pixels; drivers compile here", times.firstPixels));
-    row("render", times.otherBands, fmt::format("{} pixels", times.otherPixels));
+    row("first band", times.firstPass.firstBand,
+        fmt::format("{} pixels; drivers compile here", times.firstPass.firstPixels));
+    row("render", times.firstPass.otherBands, fmt::format("{} pixels", times.firstPass.otherPixels));
+    if (times.fastestRepeat) {
+        row("repeat", times.fastestRepeat->total(), "the whole picture, the fastest of the repeats");
+    }
     row("read back", times.readBack);
     row("write", stats.write);
     row("total", stats.total);
-    text += fmt::format("  {:.2f} ns a pixel, {:.1f} million camera rays a second{}", 1e9 * seconds / pixels,
-                        1e-6 * pixels * stats.samplesPerPixel / seconds,
-                        times.otherPixels > 0 ? "" : " (one band: compiling included)");
+    text += fmt::format("  {:.2f} ns a pixel, {:.1f} million camera rays a second ({})",
+                        speed.nanosecondsPerPixel, 1e-6 * speed.raysPerSecond, speed.of);
     return text;
 }
 
 std::string statsJson(const RenderStats& stats) {
     const render::RenderTimes& times = stats.render;
-    const double seconds = steadySeconds(times);
-    const auto pixels = static_cast<double>(steadyPixels(times));
+    const SteadySpeed speed = steadySpeed(stats);
     nlohmann::ordered_json json = {
         {"device", stats.device.name},
         {"driver", stats.device.driverInfo},
@@ -63,17 +79,20 @@ std::string statsJson(const RenderStats& stats) {
          {{"scene", stats.read + times.scene},
           {"instance", stats.instance},
           {"pipeline", times.pipeline},
-          {"firstBand", times.firstBand},
-          {"render", times.otherBands},
+          {"firstBand", times.firstPass.firstBand},
+          {"render", times.firstPass.otherBands},
+          {"renderOnDevice", times.firstPass.deviceOtherBands},
           {"readBack", times.readBack},
           {"write", stats.write},
           {"total", stats.total}}},
-        {"pixels", {{"firstBand", times.firstPixels}, {"render", times.otherPixels}}},
-        {"nanosecondsPerPixel", 1e9 * seconds / pixels},
-        {"cameraRaysPerSecond", pixels * stats.samplesPerPixel / seconds},
+        {"pixels", {{"firstBand", times.firstPass.firstPixels}, {"render", times.firstPass.otherPixels}}},
+        {"nanosecondsPerPixel", speed.nanosecondsPerPixel},
+        {"cameraRaysPerSecond", speed.raysPerSecond},
+        {"speedOf", speed.of},
     };
-    json["seconds"]["renderOnDevice"] =
-        times.deviceOtherBands ? nlohmann::ordered_json(*times.deviceOtherBands) : nlohmann::ordered_json();
+    if (times.fastestRepeat) {
+        json["seconds"]["fastestRepeat"] = times.fastestRepeat->total();
+    }
     return json.dump(2);
 }
 

@@ -17,6 +17,11 @@ float torus_powerOfTwoBelow(float x) {
     return uintBitsToFloat(floatBitsToUint(x) & 0x7f800000u);
 }
 
+// 1 / x for a power of two from 2^-126 to 2^126, exactly and without a division.
+float torus_powerOfTwoReciprocal(float x) {
+    return uintBitsToFloat(0x7f000000u - floatBitsToUint(x));
+}
+
 // a * b - product, exactly, for product = fl(a * b): Dekker's product with Veltkamp's splitting (Numer. Math. 18,
 // 1971, pp. 224-242). Not fma: it is unfused on several drivers, where a * b - product would come out as 0.
 // Exact while |a|, |b| < 2^100 and the parts do not underflow.

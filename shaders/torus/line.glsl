@@ -38,8 +38,8 @@ bool torus_reduce(float majorRadius, float minorRadius, vec3 origin, float tMin,
         unit = 1.0;
         directionUnit = 1.0;
     }
-    TORUS_PRECISE float perUnit = 1.0 / unit;
-    TORUS_PRECISE float perDirectionUnit = 1.0 / directionUnit;
+    TORUS_PRECISE float perUnit = torus_powerOfTwoReciprocal(unit);
+    TORUS_PRECISE float perDirectionUnit = torus_powerOfTwoReciprocal(directionUnit);
     TORUS_PRECISE vec3 o = origin * perUnit;
     TORUS_PRECISE vec3 d = direction * perDirectionUnit;
 

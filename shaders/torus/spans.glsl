@@ -34,8 +34,9 @@ void torus_split(torus_Line line, bool wanted, inout torus_Spans spans) {
 }
 
 // Where the parabola through a minimum of G, with G's curvature there, has its root: near a tangent this is the root.
-float torus_parabolaRoot(float minimum, float value, float curvature, bool rising) {
-    TORUS_PRECISE float width = sqrt(max(-value / max(curvature, 1.0e-3), 0.0));
+// Where G is flat the root is out of the bracket, and torus_root starts in the middle.
+float torus_parabolaRoot(float minimum, float value, float flatness, bool rising) {
+    TORUS_PRECISE float width = sqrt(max(-value, 0.0) * flatness);
     TORUS_PRECISE float root = rising ? minimum + width : minimum - width;
     return root;
 }
@@ -50,9 +51,9 @@ bool torus_crossing(torus_Line line, torus_Spans spans, int index, bool wanted, 
     bool split = inner && spans.first && spans.second;
     float minimum = atFirst ? spans.extrema.firstMinimum : spans.extrema.secondMinimum;
     float value = atFirst ? spans.extrema.firstValue : spans.extrema.secondValue;
-    float curvature = atFirst ? spans.extrema.firstCurvature : spans.extrema.secondCurvature;
+    float flatness = atFirst ? spans.extrema.firstFlatness : spans.extrema.secondFlatness;
     float outside = split ? spans.middle : (rising ? line.halfChord : -line.halfChord);
-    float start = torus_parabolaRoot(minimum, value, curvature, rising);
+    float start = torus_parabolaRoot(minimum, value, flatness, rising);
     u = torus_root(line, min(minimum, outside), max(minimum, outside), rising, start, exists);
     return exists && u >= line.lower && u <= line.upper;
 }

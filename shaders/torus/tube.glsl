@@ -52,10 +52,10 @@ float torus_tube(torus_Line line, float u, out float slope) {
 struct torus_Extrema {
     float firstMinimum;
     float firstValue;         // G there
-    float firstCurvature;     // G''/2 there
+    float firstFlatness;      // 2 / G'' there, about; positive
     float secondMinimum;      // as the first one where there is only one
     float secondValue;
-    float secondCurvature;
+    float secondFlatness;
     bool  hasSecond;
     float axis;               // c: where the line is closest to the axis (0 for a line parallel to it)
 };
@@ -73,8 +73,8 @@ torus_Extrema torus_extrema(torus_Line line) {
     TORUS_PRECISE float left = -reach;
     TORUS_PRECISE float right = reach;
     bool hasRight = reach > c;
-    TORUS_PRECISE float leftCurvature = 1.0;
-    TORUS_PRECISE float rightCurvature = 1.0;
+    TORUS_PRECISE float leftFlatness = 1.0;
+    TORUS_PRECISE float rightFlatness = 1.0;
     TORUS_PRECISE float enough = TORUS_EXTREMUM_STEP * line.minorRadius;
     bool busy = true;
     for (int i = 0; i < TORUS_EXTREMUM_STEPS && busy; ++i) {
@@ -84,10 +84,11 @@ torus_Extrema torus_extrema(torus_Line line) {
         TORUS_PRECISE float rho = sqrt(square);
         TORUS_PRECISE float cube = rho * square;
         TORUS_PRECISE float bend = cube - R * (n * square - sLeft * sLeft);
-        TORUS_PRECISE float step = (R * sLeft - left * rho) * square / max(bend, 1.0e-20);
+        TORUS_PRECISE float perBend = 1.0 / max(bend, 1.0e-20);
+        TORUS_PRECISE float step = (R * sLeft - left * rho) * square * perBend;
         step = clamp(step, 0.0, c - left);
         left = left + step;
-        leftCurvature = bend / cube;
+        leftFlatness = cube * perBend;
         busy = step > enough;
 
         TORUS_PRECISE float sRight = n * right + m;
@@ -96,14 +97,15 @@ torus_Extrema torus_extrema(torus_Line line) {
         cube = rho * square;
         bend = cube - R * (n * square - sRight * sRight);
         hasRight = hasRight && bend > 0.0 && right > c;
-        step = hasRight ? (right * rho - R * sRight) * square / max(bend, 1.0e-20) : 0.0;
+        perBend = 1.0 / max(bend, 1.0e-20);
+        step = hasRight ? (right * rho - R * sRight) * square * perBend : 0.0;
         right = right - max(step, 0.0);
-        rightCurvature = bend / cube;
+        rightFlatness = cube * perBend;
         busy = busy || step > enough;
     }
     hasRight = hasRight && right > c;
     right = hasRight ? right : left;
-    rightCurvature = hasRight ? rightCurvature : leftCurvature;
+    rightFlatness = hasRight ? rightFlatness : leftFlatness;
 
     torus_Extrema extrema;
     bool mirrored = mirror < 0.0;
@@ -114,10 +116,10 @@ torus_Extrema torus_extrema(torus_Line line) {
     extrema.axis = mirror * c;
     extrema.firstMinimum = mirrored ? -right : left;
     extrema.firstValue = mirrored ? rightValue : leftValue;
-    extrema.firstCurvature = mirrored ? rightCurvature : leftCurvature;
+    extrema.firstFlatness = mirrored ? rightFlatness : leftFlatness;
     extrema.secondMinimum = mirrored ? -left : right;
     extrema.secondValue = mirrored ? leftValue : rightValue;
-    extrema.secondCurvature = mirrored ? leftCurvature : rightCurvature;
+    extrema.secondFlatness = mirrored ? leftFlatness : rightFlatness;
     return extrema;
 }
 
