@@ -9,36 +9,19 @@
 
 #include "device_fixture.hpp"
 #include "reference/torus_reference.hpp"
-#include "render/tracer.hpp"
 
 namespace raytorus::test {
 namespace {
 
 constexpr std::size_t shownFaults = 5;
 
-struct Answers {
-    std::vector<render::NearestHit> nearest;
-    std::vector<render::AllHits> all;
-    std::vector<float> any;
-};
-
 template <typename Row>
-std::vector<Row> traceAll(render::Query query, const reference::Torus& torus,
-                          const std::vector<render::TraceRay>& rays) {
-    render::Tracer tracer(device(), query, rays.size());
+std::vector<Row> traceRows(render::Tracer& tracer, const reference::Torus& torus,
+                           const std::vector<render::TraceRay>& rays) {
     const std::span<const float> values = tracer.trace(torus.majorRadius, torus.minorRadius, rays);
     std::vector<Row> rows(rays.size());
     std::memcpy(rows.data(), values.data(), values.size_bytes());
     return rows;
-}
-
-Answers ask(const reference::Torus& torus, const std::vector<reference::Ray>& rays) {
-    static_assert(sizeof(reference::Ray) == sizeof(render::TraceRay));
-    std::vector<render::TraceRay> input(rays.size());
-    std::memcpy(input.data(), rays.data(), rays.size() * sizeof(reference::Ray));
-    return {traceAll<render::NearestHit>(render::Query::Nearest, torus, input),
-            traceAll<render::AllHits>(render::Query::All, torus, input),
-            traceAll<float>(render::Query::Any, torus, input)};
 }
 
 double length(const reference::QuadVec3& v) {
@@ -80,14 +63,34 @@ std::string faultOf(const reference::Intersections& truth, const render::Nearest
 
 }  // namespace
 
-Judgement judgeHits(const reference::Torus& torus, const std::vector<reference::Ray>& rays,
-                    const std::string& name) {
+struct HitJudge::Answers {
+    std::vector<render::NearestHit> nearest;
+    std::vector<render::AllHits> all;
+    std::vector<float> any;
+};
+
+HitJudge::HitJudge(std::size_t capacity)
+    : nearest(device(), render::Query::Nearest, capacity),
+      all(device(), render::Query::All, capacity),
+      any(device(), render::Query::Any, capacity) {}
+
+HitJudge::Answers HitJudge::ask(const reference::Torus& torus, const std::vector<reference::Ray>& rays) {
+    static_assert(sizeof(reference::Ray) == sizeof(render::TraceRay));
+    std::vector<render::TraceRay> input(rays.size());
+    std::memcpy(input.data(), rays.data(), rays.size() * sizeof(reference::Ray));
+    return {traceRows<render::NearestHit>(nearest, torus, input),
+            traceRows<render::AllHits>(all, torus, input), traceRows<float>(any, torus, input)};
+}
+
+Judgement HitJudge::judge(const reference::Torus& torus, const std::vector<reference::Ray>& rays,
+                          const std::string& name) {
     const Answers answers = ask(torus, rays);
     const double size = static_cast<double>(torus.majorRadius) + static_cast<double>(torus.minorRadius);
+    const double endMargin = clearEndMargin(static_cast<double>(torus.minorRadius));
     Judgement judgement;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const reference::Intersections truth = reference::intersect(torus, rays[i]);
-        if (truth.clearance < clearMargin || truth.endClearance() < clearEndMargin) {
+        if (truth.clearance < clearMargin || truth.endClearance() < endMargin) {
             ++judgement.unclear;
             continue;
         }

@@ -2,11 +2,13 @@
 // Holds the hits of trace.comp to the reference, ray by ray.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
 
 #include "reference/rays.hpp"
+#include "render/tracer.hpp"
 
 namespace raytorus::test {
 
@@ -26,17 +28,35 @@ struct Judgement {
 /// this part of r ...
 inline constexpr double clearMargin = 1e-3;
 
-/// ... and if neither end of the ray is nearer to it than this part of r. Less than for extrema: there the
-/// sign of the distance decides, which float32 knows to some 2^-24 (R + r) / r of r.
-inline constexpr double clearEndMargin = 2e-5;
+/// ... and if neither end of the ray is nearer to it than this part of r, for a torus with R = 1. Less than
+/// for extrema: there the sign of the distance decides, which float32 knows to some 2^-24 (R + r), thrice for
+/// good measure.
+inline double clearEndMargin(double minorRadius) {
+    return std::max(2e-5, 2e-7 * (1.0 + minorRadius) / minorRadius);
+}
 
 /// Rounding moves a root along the ray by the rounding of the distance to the surface over the cosine of the
 /// angle of incidence. So the position's error times that cosine has one bound for all rays, grazing or not:
 /// three roundings (2^-24 each) of numbers up to R + r and the projection's.
 inline constexpr double positionBound = 3e-7;
 
-/// Asks all three questions of each ray. `name` tells a failing ray's origin.
-Judgement judgeHits(const reference::Torus& torus, const std::vector<reference::Ray>& rays,
+/// Asks all three questions of rays, and judges the answers.
+class HitJudge {
+public:
+    /// Room for `capacity` rays at a time.
+    explicit HitJudge(std::size_t capacity);
+
+    /// `name` tells a failing ray's origin.
+    Judgement judge(const reference::Torus& torus, const std::vector<reference::Ray>& rays,
                     const std::string& name);
+
+private:
+    struct Answers;
+    Answers ask(const reference::Torus& torus, const std::vector<reference::Ray>& rays);
+
+    render::Tracer nearest;
+    render::Tracer all;
+    render::Tracer any;
+};
 
 }  // namespace raytorus::test
