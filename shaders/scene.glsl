@@ -107,7 +107,11 @@ int sceneNextTorus(SceneRay ray, float tMin, float tMax, inout int node) {
         bool meets = sceneMeetsBox(ray, current, tMin, tMax);
         int primitive = floatBitsToInt(current.maximum.w);
         found = meets ? primitive : -1;
-        node = meets && primitive < 0 ? node + 1 : floatBitsToInt(current.minimum.w);
+        // A link that does not lead on ends the walk. lavapipe takes the lanes outside the triangle through loops too,
+        // and what they read from storage buffers is 0: a walk without end, which its limit of 65535 rounds then ends
+        // for the other lanes as well.
+        int next = floatBitsToInt(current.minimum.w);
+        node = meets && primitive < 0 ? node + 1 : (next > node ? next : 2 * sceneTori);
     }
     return found;
 }

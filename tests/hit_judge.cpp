@@ -32,13 +32,11 @@ double distanceBetween(const reference::QuadVec3& exact, const float (&actual)[3
     return length({exact[0] - actual[0], exact[1] - actual[1], exact[2] - actual[2]});
 }
 
-double cosineOfIncidence(const reference::Torus& torus, const reference::Ray& ray,
-                         const reference::Hit& hit) {
-    const reference::QuadVec3 normal = reference::normal(torus, hit.position);
-    const reference::QuadVec3 direction = reference::toQuad(ray.direction);
-    const double along =
-        reference::toDouble(normal[0] * direction[0] + normal[1] * direction[1] + normal[2] * direction[2]);
-    return std::abs(along) / length(direction);
+// See tBound. `size` is R + r in lengths of the direction.
+double ulpsBetween(reference::Quad exact, float actual, double size) {
+    const float magnitude = std::max(std::abs(actual), static_cast<float>(std::ldexp(size, -4)));
+    const double ulp = static_cast<double>(std::nextafter(magnitude, INFINITY) - magnitude);
+    return std::abs(reference::toDouble(exact - actual)) / ulp;
 }
 
 // The verdicts of one ray; empty if they are right.
@@ -95,18 +93,22 @@ Judgement HitJudge::judge(const reference::Torus& torus, const std::vector<refer
             continue;
         }
         ++judgement.judged;
+        const double rayLength = length(reference::toQuad(rays[i].direction));
         std::string fault = faultOf(truth, answers.nearest[i], answers.all[i], answers.any[i]);
         for (int k = 0; k < truth.count && fault.empty(); ++k) {
             const auto& exact = truth.hits[static_cast<std::size_t>(k)];
             const float(&position)[3] = answers.all[i].position[k];
-            const double error =
-                distanceBetween(exact.position, position) / size * cosineOfIncidence(torus, rays[i], exact);
+            const double error = distanceBetween(exact.position, position) / size;
+            const double tError = ulpsBetween(exact.t, answers.all[i].t[k], size / rayLength);
             const double surface =
                 std::abs(reference::toDouble(reference::distance(torus, reference::toQuad(position))));
             judgement.offSurface = std::max(judgement.offSurface, surface / size);
             judgement.positionError = std::max(judgement.positionError, error);
+            judgement.tError = std::max(judgement.tError, tError);
             if (!(error <= positionBound)) {
-                fault = fmt::format("position {} is off by {:.3g} (R + r) / cos", k, error);
+                fault = fmt::format("position {} is off by {:.3g} (R + r)", k, error);
+            } else if (!(tError <= tBound)) {
+                fault = fmt::format("t {} is off by {:.3g} ulp", k, tError);
             }
         }
         judgement.hits += truth.count > 0 ? 1 : 0;

@@ -20,7 +20,8 @@ struct Judgement {
     std::size_t hits = 0;             ///< judged rays that hit
     std::vector<std::string> faults;  ///< the first ones, each with the ray that shows it
     std::size_t faultCount = 0;
-    double positionError = 0.0;  ///< the largest, in units of R + r, times the cosine of incidence; see below
+    double positionError = 0.0;  ///< the largest, in units of R + r
+    double tError = 0.0;         ///< the largest, in ulp as tBound has them
     double offSurface = 0.0;     ///< the largest distance of a hit's position from the surface, in R + r
 };
 
@@ -35,10 +36,14 @@ inline double clearEndMargin(double minorRadius) {
     return std::max(2e-5, 2e-7 * (1.0 + minorRadius) / minorRadius);
 }
 
-/// Rounding moves a root along the ray by the rounding of the distance to the surface over the cosine of the
-/// angle of incidence. So the position's error times that cosine has one bound for all rays, grazing or not:
-/// three roundings (2^-24 each) of numbers up to R + r and the projection's.
-inline constexpr double positionBound = 3e-7;
+/// How far a position may be from the exact hit of the ray as given, in R + r: half an ulp of each
+/// coordinate, of which at most two reach up to R + r < 2 units (2^-24 sqrt 2 = 8.4e-8), and nothing else.
+inline constexpr double positionBound = 9e-8;
+
+/// How far t may be from the exact one, in ulp of t: half an ulp, and a hundredth for what 2^-40 or so
+/// leaves. Of a t that is shorter than 2^-12 (R + r), the ulp of that: the line is known to some 2^-40 (R +
+/// r), which a slanting surface makes a hundred times longer.
+inline constexpr double tBound = 0.55;
 
 /// Asks all three questions of rays, and judges the answers.
 class HitJudge {

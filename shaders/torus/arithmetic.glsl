@@ -36,16 +36,34 @@ float torus_productError(float a, float b, float product) {
     return error;
 }
 
-// base + factor * direction, rounded as if the product were exact: where the sum cancels, as it does when a far
-// origin is moved to the centre, the result keeps the precision of its own size instead of the origin's.
-float torus_shift(float base, float factor, float direction) {
+// a + b - sum, exactly, for sum = fl(a + b): Knuth's two-sum (The Art of Computer Programming 2, 4.2.2, theorem B).
+float torus_sumError(float a, float b, float sum) {
+    TORUS_PRECISE float bInSum = sum - a;
+    TORUS_PRECISE float error = (a - (sum - bInSum)) + (b - bInSum);
+    return error;
+}
+
+// base + factor * direction as the unevaluated sum of two floats, of which the first is the rounded result: where the
+// sum cancels, as it does when a far origin is moved to the centre, nothing is lost.
+float torus_advance(float base, float factor, float direction, out float low) {
     TORUS_PRECISE float product = factor * direction;
     TORUS_PRECISE float sum = base + product;
-    // Knuth's two-sum: the part of base + product that `sum` lost.
-    TORUS_PRECISE float productInSum = sum - base;
-    TORUS_PRECISE float sumError = (base - (sum - productInSum)) + (product - productInSum);
-    TORUS_PRECISE float shifted = sum + (sumError + torus_productError(factor, direction, product));
-    return shifted;
+    TORUS_PRECISE float rest = torus_sumError(base, product, sum) + torus_productError(factor, direction, product);
+    TORUS_PRECISE float high = sum + rest;
+    low = rest - (high - sum);
+    return high;
+}
+
+// a^2 + b^2 - c^2 where the first two nearly make up the third, to some 2^-47 of c^2: the larger of a^2 and b^2 less
+// c^2 is exact (Sterbenz), and so is what the squares' own roundings are.
+float torus_squareDifference(float a, float b, float c) {
+    TORUS_PRECISE float aa = a * a;
+    TORUS_PRECISE float bb = b * b;
+    TORUS_PRECISE float cc = c * c;
+    TORUS_PRECISE float errors =
+        (torus_productError(a, a, aa) + torus_productError(b, b, bb)) - torus_productError(c, c, cc);
+    TORUS_PRECISE float difference = ((max(aa, bb) - cc) + min(aa, bb)) + errors;
+    return difference;
 }
 
 #endif

@@ -6,24 +6,38 @@
 
 #include "arithmetic.glsl"
 
-// The points foot + u * direction. One unit is the power of two at or below R + r, so R + r is in [1, 2).
+// The points foot + footLow + u * direction. One unit is the power of two at or below R + r, so R + r is in [1, 2).
 struct torus_Line {
     float majorRadius;     // R in units
     float minorRadius;     // r in units
     vec3 foot;             // the point of the line closest to the centre
-    vec3 direction;        // unit length
+    vec3 footLow;          // what the rounding of foot took away: foot + footLow is right to 2^-40 or so
+    vec3 direction;        // as given, scaled by a power of two: its longest component is in [1, 2)
+    float length2;         // its squared length
     float lower;           // the searched interval of u: where [tMin, tMax] meets the bounding sphere. The ends
     float upper;           //   that the sphere gives lie outside the torus
     float halfChord;       // the bounding sphere spans [-halfChord, halfChord]: outside the torus at both ends
     float footT;           // t of the foot is footT + footTLow ...
     float footTLow;        //
-    float tPerU;           // ... and t = footT + (footTLow + u * tPerU)
+    float tPerU;           // ... and t = footT + footTLow + u * tPerU
     float unit;            // length of one unit
 };
 
 // Room around the bounding sphere, relative to its squared radius. A ray in the plane z = 0 meets sphere and torus in
 // the same point: rounding (some 2^-22) must not put the torus' root outside the searched interval.
 #define TORUS_SPHERE_ROOM 1.00001
+
+// origin + factor * direction, each component as in torus_advance.
+vec3 torus_advance3(vec3 base, float factor, vec3 direction, out vec3 low) {
+    float lowX;
+    float lowY;
+    float lowZ;
+    float x = torus_advance(base.x, factor, direction.x, lowX);
+    float y = torus_advance(base.y, factor, direction.y, lowY);
+    float z = torus_advance(base.z, factor, direction.z, lowZ);
+    low = vec3(lowX, lowY, lowZ);
+    return vec3(x, y, z);
+}
 
 // Reduces a ray. Returns false where there can be no hit: bad input, or the ray passes the bounding sphere by.
 bool torus_reduce(float majorRadius, float minorRadius, vec3 origin, float tMin, vec3 direction, float tMax,
@@ -43,37 +57,39 @@ bool torus_reduce(float majorRadius, float minorRadius, vec3 origin, float tMin,
     TORUS_PRECISE vec3 o = origin * perUnit;
     TORUS_PRECISE vec3 d = direction * perDirectionUnit;
 
-    // Move to the foot of the perpendicular. The direction stays as given: normalising it first would turn the ray by
-    // an ulp, which far away is more than the torus' own rounding. The first shift is exact to the size of its
-    // result; the second one, plain, takes what the rounding of the first parameter left.
+    // Move to the foot of the perpendicular. The direction stays as given, because normalising it would turn the ray by
+    // an ulp, which far away is more than the torus' own rounding. Any parameter near the foot's does as long as the
+    // point that belongs to it is known exactly; the second shift takes what the first one's rounding left.
     TORUS_PRECISE float dd = d.x * d.x + d.y * d.y + d.z * d.z;
     TORUS_PRECISE float perDd = 1.0 / dd;
     TORUS_PRECISE float firstShift = -(o.x * d.x + o.y * d.y + o.z * d.z) * perDd;
-    TORUS_PRECISE vec3 shifted = vec3(torus_shift(o.x, firstShift, d.x), torus_shift(o.y, firstShift, d.y),
-                                   torus_shift(o.z, firstShift, d.z));
-    TORUS_PRECISE float secondShift = -(shifted.x * d.x + shifted.y * d.y + shifted.z * d.z) * perDd;
-    TORUS_PRECISE vec3 foot = shifted + secondShift * d;
-    TORUS_PRECISE float perLength = sqrt(perDd);
+    vec3 firstLow;
+    vec3 first = torus_advance3(o, firstShift, d, firstLow);
+    TORUS_PRECISE float secondShift = -(first.x * d.x + first.y * d.y + first.z * d.z) * perDd;
+    vec3 secondLow;
+    vec3 foot = torus_advance3(first, secondShift, d, secondLow);
 
     TORUS_PRECISE float R = majorRadius * perUnit;
     TORUS_PRECISE float r = minorRadius * perUnit;
     TORUS_PRECISE float outer = R + r;
     TORUS_PRECISE float foot2 = foot.x * foot.x + foot.y * foot.y + foot.z * foot.z;
     TORUS_PRECISE float halfChord2 = outer * outer * TORUS_SPHERE_ROOM - foot2;
-    TORUS_PRECISE float halfChord = sqrt(max(halfChord2, 0.0));
+    TORUS_PRECISE float halfChord = sqrt(max(halfChord2, 0.0) * perDd);
 
-    // t of a length in units, for the direction as scaled: t * uPerT is a length along the line.
+    // Both are powers of two: no bit of t is lost on the way.
     TORUS_PRECISE float tScale = unit * perDirectionUnit;
-    TORUS_PRECISE float uPerT = (directionUnit * perUnit) * (dd * perLength);
+    TORUS_PRECISE float uPerT = directionUnit * perUnit;
     line.majorRadius = R;
     line.minorRadius = r;
     line.foot = foot;
-    line.direction = d * perLength;
+    line.direction = d;
+    line.length2 = dd;
+    line.footLow = firstLow + secondLow;
     line.unit = unit;
     line.halfChord = halfChord;
     line.footT = firstShift * tScale;
     line.footTLow = secondShift * tScale;
-    line.tPerU = perLength * tScale;
+    line.tPerU = tScale;
     // Infinite ends are legal; beyond the sphere every end is alike.
     TORUS_PRECISE float lower = ((max(tMin, -TORUS_FLOAT_MAX) - line.footT) - line.footTLow) * uPerT;
     TORUS_PRECISE float upper = ((min(tMax, TORUS_FLOAT_MAX) - line.footT) - line.footTLow) * uPerT;

@@ -41,7 +41,8 @@ float torus_parabolaRoot(float minimum, float value, float flatness, bool rising
     return root;
 }
 
-// The crossing `index` (0 into, 1 out of the first span; 2 into, 3 out of the second) if it exists in the interval.
+// The crossing `index` of the whole line (0 into, 1 out of the first span; 2 into, 3 out of the second) if it exists.
+// u is near it; torus_hit makes it exact.
 bool torus_crossing(torus_Line line, torus_Spans spans, int index, bool wanted, out float u) {
     bool atFirst = index < 2;
     bool rising = index == 1 || index == 3;
@@ -55,7 +56,7 @@ bool torus_crossing(torus_Line line, torus_Spans spans, int index, bool wanted, 
     float outside = split ? spans.middle : (rising ? line.halfChord : -line.halfChord);
     float start = torus_parabolaRoot(minimum, value, flatness, rising);
     u = torus_root(line, min(minimum, outside), max(minimum, outside), rising, start, exists);
-    return exists && u >= line.lower && u <= line.upper;
+    return exists;
 }
 
 // The first crossing in the interval: into the solid if the interval starts outside, else out of it.

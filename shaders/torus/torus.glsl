@@ -46,14 +46,25 @@ struct TorusHit {
     vec3 position;  // on the surface, in the torus' frame; more exact than origin + t * direction
 };
 
+#include "circle.glsl"
 #include "spans.glsl"
-#include "surface.glsl"
 
-// Private: a hit on the line at u.
-TorusHit torus_hit(torus_Line line, float u, float tMin, float tMax) {
-    TORUS_PRECISE vec3 point = line.foot + u * line.direction;
-    TORUS_PRECISE vec3 position = torus_project(line.majorRadius, line.minorRadius, point) * line.unit;
-    TORUS_PRECISE float t = line.footT + (line.footTLow + u * line.tPerU);
+// Private: a hit on the line near u. The nearer root of the parabola that has the tube function's exact value, slope and
+// curvature at u, kept apart from u, makes position and t right to the rounding of the result, tangents included. Far
+// away several hits can have one t; exactU tells them apart.
+TorusHit torus_hit(torus_Line line, float u, float tMin, float tMax, out float exactU) {
+    torus_Point point = torus_exactPoint(line, u);
+    TORUS_PRECISE float rest = point.halfSlope * point.halfSlope - point.halfCurvature * point.tube;
+    TORUS_PRECISE float root = sqrt(max(rest, 0.0));
+    TORUS_PRECISE float denominator = point.halfSlope < 0.0 ? point.halfSlope - root : point.halfSlope + root;
+    TORUS_PRECISE float step = denominator != 0.0 ? -point.tube / denominator : 0.0;
+    TORUS_PRECISE vec3 position = (point.high + (point.low + step * line.direction)) * line.unit;
+    TORUS_PRECISE float uT = u * line.tPerU;
+    TORUS_PRECISE float sum = line.footT + uT;
+    TORUS_PRECISE float t =
+        sum + (torus_sumError(line.footT, uT, sum) + (line.footTLow + step * line.tPerU));
+    TORUS_PRECISE float sumU = u + step;
+    exactU = sumU;
     return TorusHit(min(max(t, tMin), tMax), position);
 }
 
@@ -81,7 +92,13 @@ bool torusIntersect(Torus torus, vec3 origin, float tMin, vec3 direction, float 
     if (!torus_firstCrossing(line, u)) {
         return false;
     }
-    hit = torus_hit(line, u, tMin, tMax);
+    float exactU;
+    TorusHit first = torus_hit(line, u, tMin, tMax, exactU);
+    // Only the far end is left to check: a hit that rounding puts before the start is the one at the start.
+    if (!(exactU <= line.upper)) {
+        return false;
+    }
+    hit = first;
     return true;
 }
 
@@ -114,8 +131,11 @@ int torusIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, floa
     int count = 0;
     for (int i = 0; i < 4; ++i) {
         float u = 0.0;
-        if (torus_crossing(line, spans, i, true, u)) {
-            hits[count] = torus_hit(line, u, tMin, tMax);
+        bool exists = torus_crossing(line, spans, i, true, u);
+        float exactU;
+        TorusHit hit = torus_hit(line, u, tMin, tMax, exactU);
+        if (exists && exactU >= line.lower && exactU <= line.upper) {
+            hits[count] = hit;
             ++count;
         }
     }

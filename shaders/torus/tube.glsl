@@ -4,13 +4,13 @@
 // Everything rests on one function of the line's parameter u, the squared distance to the tube's centre circle less
 // r^2, which is negative inside the solid and, unlike the quartic, knows no inner sheet:
 //
-//     G(u) = (rho(u) - R)^2 + z(u)^2 - r^2 = u^2 + K - 2 R rho(u),    rho(u) = |(x(u), y(u))|
+//     G(u) = (rho(u) - R)^2 + z(u)^2 - r^2 = dd u^2 + K - 2 R rho(u),    rho(u) = |(x(u), y(u))|
 //
 // rho is a hyperbola, hence convex, and its third derivative changes sign once, at u = c, where the line passes
-// closest to the axis. So half the derivative, g = G'/2 = u - R rho'(u), is concave left of c and convex right of it
-// (mirror the line so that c >= 0; then g(c) = c >= 0):
-//   - left of c, g has one root: a minimum of G. Newton from -R sqrt(n), left of it, climbs to it monotonically.
-//   - right of c, g has two roots or none: a maximum and a minimum of G. Newton from +R sqrt(n), right of them,
+// closest to the axis. So half the derivative, g = G'/2 = dd u - R rho'(u), is concave left of c and convex right of it
+// (mirror the line so that c >= 0; then g(c) = dd c >= 0; dd is the squared length of the direction):
+//   - left of c, g has one root: a minimum of G. Newton from -R sqrt(n) / dd, left of it, climbs to it monotonically.
+//   - right of c, g has two roots or none: a maximum and a minimum of G. Newton from +R sqrt(n) / dd, right of them,
 //     descends to the minimum monotonically; a slope that is not positive, or a step past c, proves that there is none.
 // G is monotone between its extrema: their signs count the roots, and each root has a bracket.
 #ifndef TORUS_TUBE_GLSL
@@ -25,10 +25,16 @@
 #define TORUS_ROOT_STEPS 48
 // An extremum is near enough when a step is shorter than this part of r; the next error is its square, and G is flat.
 #define TORUS_EXTREMUM_STEP 0.00390625
-// A root is near enough when a step is shorter than this part of R + r, some two ulp, or when G is less than this part
-// of r (R + r), which is its rounding: without the second, Newton hops to and fro for ever near a tangent.
-#define TORUS_ROOT_STEP 2.4e-7
+// Up to this part of r (R + r), rounding can have turned the sign of G: some ten roundings of its terms.
+#define TORUS_DOUBT 2.0e-6
+// A root is near enough when a step is shorter than this part of r: Newton has squared the error by then, and the exact
+// last step (torus_hit) cubes it. Or when G is less than this part of r (R + r), which is its rounding: without that,
+// Newton hops to and fro for ever near a tangent.
+#define TORUS_ROOT_STEP 0.0009765625
 #define TORUS_ROOT_VALUE 1.2e-7
+// Nearer to the axis than this, in units, the direction of rho is lost in rounding: its slope, which jumps there, fades
+// to 0 instead of becoming anything.
+#define TORUS_AXIS 1.0e-6
 
 // G and half its slope at u, evaluated from the point itself: (rho - R - r)(rho - R + r) + z^2 rounds to some 2^-24 of
 // r (R + r) near the surface, where the polynomial would round to 2^-24 (R + r)^2 and lose a thin tube.
@@ -41,11 +47,48 @@ float torus_tube(torus_Line line, float u, out float slope) {
     TORUS_PRECISE float value = (q - line.minorRadius) * (q + line.minorRadius) + z * z;
     TORUS_PRECISE float along = x * line.direction.x + y * line.direction.y;
     TORUS_PRECISE float radial = along + z * line.direction.z;
-    // On the axis rho' jumps from -n to n: the slope of either side would do, and that of neither is finite.
-    TORUS_PRECISE float rhoSlope = rho > 0.0 ? along / rho : 0.0;
+    TORUS_PRECISE float rhoSlope = along / max(rho, TORUS_AXIS);
     TORUS_PRECISE float halfSlope = radial - line.majorRadius * rhoSlope;
     slope = halfSlope;
     return value;
+}
+
+// A point of the line, known to more digits than a float has.
+struct torus_Point {
+    vec3 high;
+    vec3 low;
+    float tube;           // G there, to some 2^-45 of r (R + r)
+    float halfSlope;      // half of G' there
+    float halfCurvature;  // half of G'' there
+};
+
+torus_Point torus_exactPoint(torus_Line line, float u) {
+    torus_Point point;
+    vec3 low;
+    point.high = torus_advance3(line.foot, u, line.direction, low);
+    TORUS_PRECISE vec3 allLow = low + line.footLow;
+    point.low = allLow;
+    float x = point.high.x;
+    float y = point.high.y;
+    float z = point.high.z;
+    // rho = root + rootLow: one Newton step on the exact residual of the rounded root.
+    TORUS_PRECISE float root = sqrt(x * x + y * y);
+    TORUS_PRECISE float perRoot = 1.0 / max(root, TORUS_AXIS);
+    TORUS_PRECISE float residual = torus_squareDifference(x, y, root) + 2.0 * (x * allLow.x + y * allLow.y);
+    TORUS_PRECISE float rootLow = 0.5 * residual * perRoot;
+    TORUS_PRECISE float q = root - line.majorRadius;
+    TORUS_PRECISE float qLow = torus_sumError(root, -line.majorRadius, q) + rootLow;
+    TORUS_PRECISE float tube =
+        torus_squareDifference(q, z, line.minorRadius) + 2.0 * (q * qLow + z * allLow.z);
+    point.tube = tube;
+    TORUS_PRECISE float along = x * line.direction.x + y * line.direction.y;
+    TORUS_PRECISE float rootSlope = along * perRoot;
+    TORUS_PRECISE float halfSlope = (along + z * line.direction.z) - line.majorRadius * rootSlope;
+    point.halfSlope = halfSlope;
+    TORUS_PRECISE float n = line.direction.x * line.direction.x + line.direction.y * line.direction.y;
+    TORUS_PRECISE float halfCurvature = line.length2 - line.majorRadius * ((n - rootSlope * rootSlope) * perRoot);
+    point.halfCurvature = halfCurvature;
+    return point;
 }
 
 // The extrema of G along the line, in ascending order of u.
@@ -69,7 +112,8 @@ torus_Extrema torus_extrema(torus_Line line) {
     m = -abs(m);
     TORUS_PRECISE float R = line.majorRadius;
     TORUS_PRECISE float c = n > 0.0 ? -m / n : 0.0;
-    TORUS_PRECISE float reach = R * sqrt(n);
+    TORUS_PRECISE float dd = line.length2;
+    TORUS_PRECISE float reach = R * sqrt(n) / dd;
     TORUS_PRECISE float left = -reach;
     TORUS_PRECISE float right = reach;
     bool hasRight = reach > c;
@@ -78,14 +122,14 @@ torus_Extrema torus_extrema(torus_Line line) {
     TORUS_PRECISE float enough = TORUS_EXTREMUM_STEP * line.minorRadius;
     bool busy = true;
     for (int i = 0; i < TORUS_EXTREMUM_STEPS && busy; ++i) {
-        // g / g' = (u rho - R s) rho^2 / (rho^3 - R (n rho^2 - s^2)), s = rho rho' = n u + m
+        // g / g' = (dd u rho - R s) rho^2 / (dd rho^3 - R (n rho^2 - s^2)), s = rho rho' = n u + m
         TORUS_PRECISE float sLeft = n * left + m;
         TORUS_PRECISE float square = max((sLeft + m) * left + rho2, 1.0e-20);
         TORUS_PRECISE float rho = sqrt(square);
         TORUS_PRECISE float cube = rho * square;
-        TORUS_PRECISE float bend = cube - R * (n * square - sLeft * sLeft);
+        TORUS_PRECISE float bend = dd * cube - R * (n * square - sLeft * sLeft);
         TORUS_PRECISE float perBend = 1.0 / max(bend, 1.0e-20);
-        TORUS_PRECISE float step = (R * sLeft - left * rho) * square * perBend;
+        TORUS_PRECISE float step = (R * sLeft - dd * left * rho) * square * perBend;
         step = clamp(step, 0.0, c - left);
         left = left + step;
         leftFlatness = cube * perBend;
@@ -95,10 +139,10 @@ torus_Extrema torus_extrema(torus_Line line) {
         square = max((sRight + m) * right + rho2, 1.0e-20);
         rho = sqrt(square);
         cube = rho * square;
-        bend = cube - R * (n * square - sRight * sRight);
+        bend = dd * cube - R * (n * square - sRight * sRight);
         hasRight = hasRight && bend > 0.0 && right > c;
         perBend = 1.0 / max(bend, 1.0e-20);
-        step = hasRight ? (right * rho - R * sRight) * square * perBend : 0.0;
+        step = hasRight ? (dd * right * rho - R * sRight) * square * perBend : 0.0;
         right = right - max(step, 0.0);
         rightFlatness = cube * perBend;
         busy = busy || step > enough;
@@ -112,6 +156,14 @@ torus_Extrema torus_extrema(torus_Line line) {
     float slope;
     float leftValue = torus_tube(line, mirror * left, slope);
     float rightValue = torus_tube(line, mirror * right, slope);
+    // Where rounding could turn a sign, the values are computed again, exactly.
+    TORUS_PRECISE float doubt = TORUS_DOUBT * line.minorRadius * (line.majorRadius + line.minorRadius);
+    int afterLast = abs(rightValue) <= doubt ? 2 : 1;
+    for (int i = abs(leftValue) <= doubt ? 0 : 1; i < afterLast; ++i) {
+        torus_Point point = torus_exactPoint(line, mirror * (i == 0 ? left : right));
+        leftValue = i == 0 ? point.tube : leftValue;
+        rightValue = i == 0 ? rightValue : point.tube;
+    }
     extrema.hasSecond = hasRight;
     extrema.axis = mirror * c;
     extrema.firstMinimum = mirrored ? -right : left;
@@ -136,8 +188,8 @@ float torus_maximum(torus_Line line, torus_Extrema extrema, bool wanted, out flo
         TORUS_PRECISE float s = n * u + m;
         TORUS_PRECISE float square = max((s + m) * u + rho2, 1.0e-20);
         TORUS_PRECISE float rho = sqrt(square);
-        TORUS_PRECISE float bend = rho * square - R * (n * square - s * s);
-        TORUS_PRECISE float step = (R * s - u * rho) * square / min(bend, -1.0e-20);
+        TORUS_PRECISE float bend = line.length2 * rho * square - R * (n * square - s * s);
+        TORUS_PRECISE float step = (R * s - line.length2 * u * rho) * square / min(bend, -1.0e-20);
         TORUS_PRECISE float next = clamp(u + step, extrema.firstMinimum, extrema.secondMinimum);
         busy = abs(next - u) > enough;
         u = next;
@@ -153,7 +205,7 @@ float torus_root(torus_Line line, float lower, float upper, bool rising, float s
     TORUS_PRECISE float lo = lower;
     TORUS_PRECISE float hi = upper;
     TORUS_PRECISE float u = start > lo && start < hi ? start : 0.5 * (lo + hi);
-    TORUS_PRECISE float enough = TORUS_ROOT_STEP * (line.majorRadius + line.minorRadius);
+    TORUS_PRECISE float enough = TORUS_ROOT_STEP * line.minorRadius;
     TORUS_PRECISE float noise = TORUS_ROOT_VALUE * line.minorRadius * (line.majorRadius + line.minorRadius);
     bool busy = wanted;
     for (int i = 0; i < TORUS_ROOT_STEPS && busy; ++i) {

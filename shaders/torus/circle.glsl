@@ -1,24 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Private: projection onto the surface, and the circle functions that its parametrisation needs.
-#ifndef TORUS_SURFACE_GLSL
-#define TORUS_SURFACE_GLSL
+// Private: angle and point of a circle, in turns, which the surface's parametrisation needs.
+#ifndef TORUS_CIRCLE_GLSL
+#define TORUS_CIRCLE_GLSL
 
 #include "arithmetic.glsl"
-
-// The point of the surface closest to one near it. Moves (rho, z) along the tube's radius; a point on the axis or on
-// the tube's centre circle, which has no closest point, goes to the side of +x, or outwards.
-vec3 torus_project(float majorRadius, float minorRadius, vec3 point) {
-    TORUS_PRECISE float rho = sqrt(point.x * point.x + point.y * point.y);
-    TORUS_PRECISE float q = rho - majorRadius;
-    TORUS_PRECISE float tube = sqrt(q * q + point.z * point.z);
-    TORUS_PRECISE float grow = tube > 0.0 ? minorRadius / tube : 0.0;
-    TORUS_PRECISE float rhoOn = tube > 0.0 ? majorRadius + q * grow : majorRadius + minorRadius;
-    TORUS_PRECISE float turn = rho > 0.0 ? rhoOn / rho : 0.0;
-    TORUS_PRECISE float x = rho > 0.0 ? point.x * turn : rhoOn;
-    TORUS_PRECISE float y = point.y * turn;
-    TORUS_PRECISE float z = point.z * grow;
-    return vec3(x, y, z);
-}
 
 // atan(y, x) / (2 pi) in [0, 1): the built-in has no useful precision guarantee in Vulkan (4096 ulp) and differs
 // between drivers. Odd polynomial for atan(q) / (2 pi) on [0, 1], minimax error 2.2e-9 of a turn (half an ulp at 1/16); 0 for x = y = 0.
