@@ -16,6 +16,8 @@ if(RAYTORUS_ASAN)
         -fno-omit-frame-pointer)
     target_compile_options(raytorus_warnings INTERFACE ${_sanitize})
     target_link_options(raytorus_warnings INTERFACE ${_sanitize})
+    add_library(raytorus_sanitizer STATIC "${CMAKE_CURRENT_LIST_DIR}/sanitizer.cpp")
+    target_link_libraries(raytorus_warnings INTERFACE "$<LINK_LIBRARY:WHOLE_ARCHIVE,raytorus_sanitizer>")
 endif()
 
 # raytorus_add_library(<name> SOURCES ... [PUBLIC target...] [PRIVATE target...])

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: MIT
+# Script: fails if a source is longer than one idea needs.
+cmake_minimum_required(VERSION 3.25)
+include("${CMAKE_CURRENT_LIST_DIR}/sources.cmake")
+
+set(faults 0)
+function(require_at_most limit)
+    foreach(file IN LISTS ARGN)
+        file(READ "${file}" text)
+        string(REGEX REPLACE "[^\n]+" "" line_ends "${text}")
+        string(LENGTH "${line_ends}" lines)
+        if(lines GREATER limit)
+            message("${file}:${limit}: ${lines} lines, more than ${limit}")
+            math(EXPR faults "${faults} + 1")
+        endif()
+    endforeach()
+    set(faults "${faults}" PARENT_SCOPE)
+endfunction()
+
+raytorus_sources(files "cmake;examples;host;shaders;tests" "*.cpp;*.hpp;*.h;*.glsl;*.cmake;CMakeLists.txt")
+raytorus_sources(scripts "scripts;.ci" "*")
+require_at_most(400 ${files} ${scripts})
+raytorus_sources(entry_points "examples;shaders;tests" "*.vert;*.frag;*.comp;*.rint")
+require_at_most(60 ${entry_points})
+if(faults)
+    message(FATAL_ERROR "Files that are too long: ${faults}")
+endif()
