@@ -50,7 +50,8 @@ float torus_advance(float base, float factor, float direction, out float low) {
     TORUS_PRECISE float sum = base + product;
     TORUS_PRECISE float rest = torus_sumError(base, product, sum) + torus_productError(factor, direction, product);
     TORUS_PRECISE float high = sum + rest;
-    low = rest - (high - sum);
+    TORUS_PRECISE float lost = rest - (high - sum);
+    low = lost;
     return high;
 }
 

@@ -68,6 +68,7 @@ bool torus_reduce(float majorRadius, float minorRadius, vec3 origin, float tMin,
     TORUS_PRECISE float secondShift = -(first.x * d.x + first.y * d.y + first.z * d.z) * perDd;
     vec3 secondLow;
     vec3 foot = torus_advance3(first, secondShift, d, secondLow);
+    TORUS_PRECISE vec3 footLow = firstLow + secondLow;
 
     TORUS_PRECISE float R = majorRadius * perUnit;
     TORUS_PRECISE float r = minorRadius * perUnit;
@@ -84,7 +85,7 @@ bool torus_reduce(float majorRadius, float minorRadius, vec3 origin, float tMin,
     line.foot = foot;
     line.direction = d;
     line.length2 = dd;
-    line.footLow = firstLow + secondLow;
+    line.footLow = footLow;
     line.unit = unit;
     line.halfChord = halfChord;
     line.footT = firstShift * tScale;

@@ -200,8 +200,10 @@ void torusTangents(Torus torus, vec3 position, out vec3 dPdu, out vec3 dPdv) {
     TORUS_PRECISE float sinU = rho > 0.0 ? position.y / rho : 0.0;
     TORUS_PRECISE float rise = twoPi * position.z;
     TORUS_PRECISE float q = twoPi * (rho - torus.majorRadius);
-    dPdu = vec3(-twoPi * position.y, twoPi * position.x, 0.0);
-    dPdv = vec3(-rise * cosU, -rise * sinU, q);
+    TORUS_PRECISE vec3 alongU = vec3(-twoPi * position.y, twoPi * position.x, 0.0);
+    TORUS_PRECISE vec3 alongV = vec3(-rise * cosU, -rise * sinU, q);
+    dPdu = alongU;
+    dPdv = alongV;
 }
 
 // The distance to the surface, negative inside: exact, also inside a spindle, whose dimples end in a point.

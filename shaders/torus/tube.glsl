@@ -154,18 +154,21 @@ torus_Extrema torus_extrema(torus_Line line) {
     torus_Extrema extrema;
     bool mirrored = mirror < 0.0;
     float slope;
-    float leftValue = torus_tube(line, mirror * left, slope);
-    float rightValue = torus_tube(line, mirror * right, slope);
+    TORUS_PRECISE float leftAt = mirror * left;
+    TORUS_PRECISE float rightAt = mirror * right;
+    TORUS_PRECISE float axis = mirror * c;
+    float leftValue = torus_tube(line, leftAt, slope);
+    float rightValue = torus_tube(line, rightAt, slope);
     // Where rounding could turn a sign, the values are computed again, exactly.
     TORUS_PRECISE float doubt = TORUS_DOUBT * line.minorRadius * (line.majorRadius + line.minorRadius);
     int afterLast = abs(rightValue) <= doubt ? 2 : 1;
     for (int i = abs(leftValue) <= doubt ? 0 : 1; i < afterLast; ++i) {
-        torus_Point point = torus_exactPoint(line, mirror * (i == 0 ? left : right));
+        torus_Point point = torus_exactPoint(line, i == 0 ? leftAt : rightAt);
         leftValue = i == 0 ? point.tube : leftValue;
         rightValue = i == 0 ? rightValue : point.tube;
     }
     extrema.hasSecond = hasRight;
-    extrema.axis = mirror * c;
+    extrema.axis = axis;
     extrema.firstMinimum = mirrored ? -right : left;
     extrema.firstValue = mirrored ? rightValue : leftValue;
     extrema.firstFlatness = mirrored ? rightFlatness : leftFlatness;
@@ -191,7 +194,8 @@ float torus_maximum(torus_Line line, torus_Extrema extrema, bool wanted, out flo
         TORUS_PRECISE float bend = line.length2 * rho * square - R * (n * square - s * s);
         TORUS_PRECISE float step = (R * s - line.length2 * u * rho) * square / min(bend, -1.0e-20);
         TORUS_PRECISE float next = clamp(u + step, extrema.firstMinimum, extrema.secondMinimum);
-        busy = abs(next - u) > enough;
+        TORUS_PRECISE float change = next - u;
+        busy = abs(change) > enough;
         u = next;
     }
     float slope;
@@ -217,7 +221,8 @@ float torus_root(torus_Line line, float lower, float upper, bool rising, float s
         TORUS_PRECISE float next = u - 0.5 * value / slope;
         bool trusted = next >= lo && next <= hi;
         next = trusted ? next : 0.5 * (lo + hi);
-        busy = abs(next - u) > enough && abs(value) > noise;
+        TORUS_PRECISE float change = next - u;
+        busy = abs(change) > enough && abs(value) > noise;
         u = next;
     }
     return u;

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: MIT
+# Each glslangValidator command printed in README.md and examples/README.md does what it says, without a warning, from a
+# copy of the sources; every example has one; the modules are valid.
+include("${CMAKE_CURRENT_LIST_DIR}/common.cmake")
+if(NOT DEFINED EXAMPLES)
+    set(EXAMPLES "${root}/examples")
+endif()
+file(COPY "${LIBRARY}/" DESTINATION "${SCRATCH}/shaders/torus")
+file(COPY "${EXAMPLES}/" DESTINATION "${SCRATCH}/examples")
+
+file(STRINGS "${EXAMPLES}/README.md" commands REGEX "^glslangValidator ")
+file(STRINGS "${root}/README.md" more REGEX "^glslangValidator ")
+list(APPEND commands ${more})
+require_tool(glslang glslangValidator glslang-tools)
+set(shown "")
+foreach(command IN LISTS commands)
+    separate_arguments(arguments UNIX_COMMAND "${command}")
+    list(POP_FRONT arguments)
+    if(NOT command MATCHES " (examples/[a-z_]+[.][a-z]+) -o ([a-z_]+[.][a-z]+[.]spv)$")
+        fault("README.md: ${command}: should end in examples/<name> -o <name>.spv")
+        continue()
+    endif()
+    list(APPEND shown "${CMAKE_MATCH_1}")
+    set(source "${CMAKE_MATCH_1}")
+    set(module "${CMAKE_MATCH_2}")
+    execute_process(COMMAND "${glslang}" ${arguments} WORKING_DIRECTORY "${SCRATCH}"
+        RESULT_VARIABLE result OUTPUT_VARIABLE said ERROR_VARIABLE said OUTPUT_STRIP_TRAILING_WHITESPACE)
+    # Unless told to be quiet, glslangValidator prints the name of what it compiles, and nothing else if all is well.
+    if(NOT result EQUAL 0 OR NOT said STREQUAL source)
+        fault("${command}: result ${result}\n${said}")
+    else()
+        validate("${SCRATCH}/${module}" vulkan1.3)
+    endif()
+endforeach()
+
+file(GLOB examples RELATIVE "${SCRATCH}" "${SCRATCH}/examples/*.frag" "${SCRATCH}/examples/*.comp"
+    "${SCRATCH}/examples/*.rint")
+foreach(example IN LISTS examples)
+    if(NOT example IN_LIST shown)
+        fault("examples/README.md: no command for ${example}")
+    endif()
+endforeach()
+if(NOT examples)
+    fault("There are no examples in ${EXAMPLES}.")
+endif()
+finish()

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// All that the GLSL needs to be C++: GLM's names, `precise` gone (compile without contraction into fma), and
+// literals that are float (-fsingle-precision-constant).
+#include "torus_cxx.hpp"
+
+#include <glm/glm.hpp>
+
+namespace torus_cxx {
+using namespace glm;
+#define TORUS_PRECISE
+#include "torus_cxx/torus.glsl"
+}  // namespace torus_cxx
+
+namespace raytorus::test {
+namespace {
+
+glm::vec3 vec3(const float (&v)[3]) {
+    return {v[0], v[1], v[2]};
+}
+
+void store(float (&to)[3], const glm::vec3& v) {
+    to[0] = v.x;
+    to[1] = v.y;
+    to[2] = v.z;
+}
+
+}  // namespace
+
+render::NearestHit cxxNearest(float majorRadius, float minorRadius, const render::TraceRay& ray) {
+    const torus_cxx::Torus torus{majorRadius, minorRadius};
+    torus_cxx::TorusHit hit{};
+    const bool found =
+        torus_cxx::torusIntersect(torus, vec3(ray.origin), ray.tMin, vec3(ray.direction), ray.tMax, hit);
+    render::NearestHit answer{found ? 1.0F : 0.0F, hit.t, {}, {}};
+    store(answer.position, hit.position);
+    store(answer.normal, found ? torus_cxx::torusNormal(torus, hit.position) : glm::vec3(0.0F));
+    return answer;
+}
+
+render::AllHits cxxAll(float majorRadius, float minorRadius, const render::TraceRay& ray) {
+    torus_cxx::TorusHit hits[4] = {};
+    render::AllHits answer{};
+    answer.count = static_cast<float>(torus_cxx::torusIntersectAll(
+        {majorRadius, minorRadius}, vec3(ray.origin), ray.tMin, vec3(ray.direction), ray.tMax, hits));
+    for (int i = 0; i < 4; ++i) {
+        answer.t[i] = hits[i].t;
+        store(answer.position[i], hits[i].position);
+    }
+    return answer;
+}
+
+float cxxAny(float majorRadius, float minorRadius, const render::TraceRay& ray) {
+    return torus_cxx::torusOccluded({majorRadius, minorRadius}, vec3(ray.origin), ray.tMin,
+                                    vec3(ray.direction), ray.tMax)
+               ? 1.0F
+               : 0.0F;
+}
+
+}  // namespace raytorus::test

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// The library's own GLSL, compiled as C++ with GLM: the twin of trace.comp on the CPU.
+#pragma once
+
+#include "render/tracer.hpp"
+
+namespace raytorus::test {
+
+render::NearestHit cxxNearest(float majorRadius, float minorRadius, const render::TraceRay& ray);
+render::AllHits cxxAll(float majorRadius, float minorRadius, const render::TraceRay& ray);
+float cxxAny(float majorRadius, float minorRadius, const render::TraceRay& ray);
+
+}  // namespace raytorus::test
