@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every exit code that raytorus publishes, provoked through the program. Those of compare and of the command line have
-// files of their own; code 1 is a fault of the program, for which no cause is known.
+// Every exit code that raytorus publishes, provoked through the program. Those of compare and of the command
+// line have files of their own; code 1 is a fault of the program, for which no cause is known.
 #include <sys/stat.h>
 
 #include <cstdint>
@@ -20,8 +20,10 @@ protected:
 
 TEST_F(ProgramExitCode, FileWhenTheInputIsMissing) {
     expectFailure({"render", "missing.json", "-o", "out.png"}, ExitCode::File, {"missing.json"});
-    expectFailure({"trace", "missing.csv", "-o", "out.csv", "--torus", "1,0.25"}, ExitCode::File, {"missing.csv"});
-    expectFailure({"trace", "missing.bin", "-o", "out.bin", "--torus", "1,0.25"}, ExitCode::File, {"missing.bin"});
+    expectFailure({"trace", "missing.csv", "-o", "out.csv", "--torus", "1,0.25"}, ExitCode::File,
+                  {"missing.csv"});
+    expectFailure({"trace", "missing.bin", "-o", "out.bin", "--torus", "1,0.25"}, ExitCode::File,
+                  {"missing.bin"});
 }
 
 TEST_F(ProgramExitCode, FileWhenTheInputIsAFolder) {
@@ -38,7 +40,8 @@ TEST_F(ProgramExitCode, FileWhenTheFolderOfTheOutputIsMissing) {
 
 TEST_F(ProgramExitCode, FileWhenTheOutputIsAFolder) {
     std::filesystem::create_directory(folder / "out.exr");
-    expectFailure({"render", "scene.json", "-o", "out.exr"}, ExitCode::File, {"out.exr", "it is a directory"});
+    expectFailure({"render", "scene.json", "-o", "out.exr"}, ExitCode::File,
+                  {"out.exr", "it is a directory"});
     expectFailure({"trace", "rays.csv", "-o", "out.exr", "--torus", "1,0.25"}, ExitCode::File,
                   {"out.exr", "it is a directory"});
 }
@@ -46,7 +49,8 @@ TEST_F(ProgramExitCode, FileWhenTheOutputIsAFolder) {
 // To rename over a pipe or a device would put a file in its place.
 TEST_F(ProgramExitCode, FileWhenTheOutputIsAPipe) {
     ASSERT_EQ(mkfifo((folder / "out.png").c_str(), 0600), 0);
-    expectFailure({"render", "scene.json", "-o", "out.png"}, ExitCode::File, {"out.png", "not a regular file"});
+    expectFailure({"render", "scene.json", "-o", "out.png"}, ExitCode::File,
+                  {"out.png", "not a regular file"});
     expectFailure({"trace", "rays.csv", "-o", "out.png", "--torus", "1,0.25"}, ExitCode::File,
                   {"out.png", "not a regular file"});
     EXPECT_TRUE(std::filesystem::is_fifo(folder / "out.png"));
@@ -54,13 +58,15 @@ TEST_F(ProgramExitCode, FileWhenTheOutputIsAPipe) {
 
 // A picture may take minutes: that there is no driver either would be found first.
 TEST_F(ProgramExitCode, FileBeforeTheWorkIsDone) {
-    expectFailure({"render", "scene.json", "-o", "missing/out.png"}, ExitCode::File, {"missing/out.png"}, noDriver());
+    expectFailure({"render", "scene.json", "-o", "missing/out.png"}, ExitCode::File, {"missing/out.png"},
+                  noDriver());
 }
 
 TEST_F(ProgramExitCode, FileWhenTheShaderIsMissing) {
     const std::string shaders = shaderFolder();
     std::filesystem::remove(shaders + "/scene.frag.spv");
-    expectFailure({"render", "scene.json", "-o", "out.png", "--shaders", shaders}, ExitCode::File, {"scene.frag.spv"});
+    expectFailure({"render", "scene.json", "-o", "out.png", "--shaders", shaders}, ExitCode::File,
+                  {"scene.frag.spv"});
 }
 
 TEST_F(ProgramExitCode, SceneWithTheJsonPath) {
@@ -77,11 +83,12 @@ TEST_F(ProgramExitCode, ShaderWhenItIsCutOff) {
         std::filesystem::resize_file(shaders / name, std::filesystem::file_size(shaders / name) - 40);
     }
     const std::string option = shaders.string();
-    expectFailure({"render", "scene.json", "-o", "out.png", "--shaders", option}, ExitCode::Shader, {"scene.frag"});
+    expectFailure({"render", "scene.json", "-o", "out.png", "--shaders", option}, ExitCode::Shader,
+                  {"scene.frag"});
     expectFailure({"render", "scene.json", "-o", "out.exr", "--route", "compute", "--shaders", option},
                   ExitCode::Shader, {"scene.comp"});
-    expectFailure({"trace", "rays.csv", "-o", "out.csv", "--torus", "1,0.25", "--shaders", option}, ExitCode::Shader,
-                  {"trace.comp"});
+    expectFailure({"trace", "rays.csv", "-o", "out.csv", "--torus", "1,0.25", "--shaders", option},
+                  ExitCode::Shader, {"trace.comp"});
     // Not even a whole number of words.
     std::filesystem::resize_file(shaders / "scene.frag.spv", 1001);
     expectFailure({"render", "scene.json", "-o", "out.png", "--shaders", option}, ExitCode::Shader,
@@ -113,8 +120,8 @@ TEST_F(ProgramExitCode, OutOfMemory) {
 // One microsecond is less than any device takes for 4096 samples of each of 65536 pixels.
 TEST_F(ProgramExitCode, DeviceLostWhenItDoesNotFinishInTime) {
     for (const char* route : {"fragment", "compute"}) {
-        expectFailure({"render", "scene.json", "-o", "out.png", "--size", "256x256", "--spp", "4096", "--route", route,
-                       "--timeout", "0.000001"},
+        expectFailure({"render", "scene.json", "-o", "out.png", "--size", "256x256", "--spp", "4096",
+                       "--route", route, "--timeout", "0.000001"},
                       ExitCode::DeviceLost, {"did not finish", "1e-06 s"});
     }
 }
@@ -125,21 +132,25 @@ TEST_F(ProgramExitCode, DeviceLostWhenTracingTakesTooLong) {
                   ExitCode::DeviceLost, {"did not finish"});
 }
 
-// A shader that reads a push constant, of which its pipeline has none: an error, but one that drivers survive.
+// A shader that reads a push constant, of which its pipeline has none: an error, but one that drivers
+// survive.
 TEST_F(ProgramExitCode, ValidationMessage) {
     const std::filesystem::path shaders = shaderFolder();
     std::filesystem::copy_file(RAYTORUS_TEST_SHADER_FOLDER "/undeclared_push_constant.frag.spv",
                                shaders / "scene.frag.spv", std::filesystem::copy_options::overwrite_existing);
-    const Arguments arguments = {"render", "scene.json", "-o", "out.png", "--shaders", shaders.string(), "--validate"};
+    const Arguments arguments = {"render",    "scene.json",     "-o",        "out.png",
+                                 "--shaders", shaders.string(), "--validate"};
     expectLongFailure(arguments, ExitCode::ValidationMessage, {"validation layers reported", "VUID-"});
 }
 
 TEST_F(ProgramExitCode, NonFiniteWhenTheSumOfLightsIsInfinite) {
-    write("bright.json", R"({"tori": [{"majorRadius": 1, "minorRadius": 0.25}], "image": {"width": 32, "height": 32},
+    write("bright.json",
+          R"({"tori": [{"majorRadius": 1, "minorRadius": 0.25}], "image": {"width": 32, "height": 32},
         "lights": [{"type": "directional", "direction": [0, 0, 1], "radiance": [3e38, 3e38, 3e38]},
                    {"type": "directional", "direction": [0, 0.1, 1], "radiance": [3e38, 3e38, 3e38]}]})");
     for (const char* output : {"out.exr", "out.png"}) {
-        expectFailure({"render", "bright.json", "-o", output}, ExitCode::NonFinite, {"inf", "channel R", "nothing was"});
+        expectFailure({"render", "bright.json", "-o", output}, ExitCode::NonFinite,
+                      {"inf", "channel R", "nothing was"});
     }
 }
 

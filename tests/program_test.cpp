@@ -108,7 +108,8 @@ fs::path ProgramTest::shaderFolder() const {
 }
 
 Environment noDriver() {
-    return {{"VK_DRIVER_FILES", "/there/is/no/driver.json"}, {"VK_ICD_FILENAMES", "/there/is/no/driver.json"}};
+    return {{"VK_DRIVER_FILES", "/there/is/no/driver.json"},
+            {"VK_ICD_FILENAMES", "/there/is/no/driver.json"}};
 }
 
 }  // namespace raytorus::test

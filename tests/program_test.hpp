@@ -27,9 +27,10 @@ protected:
     /// Runs it, and expects it to end well and to say nothing on standard error. Returns its standard output.
     std::string expectOk(const Arguments& arguments, const Environment& environment = {}) const;
 
-    /// Runs it, and expects this exit code, nothing on standard output, and on standard error one line that begins with
-    /// "raytorus: " and has the words. `more`: other lines may follow it. No file in `folder` is made, removed or
-    /// changed. Then the same with a file that is already there under the name of the output, if `output` names one.
+    /// Runs it, and expects this exit code, nothing on standard output, and on standard error one line that
+    /// begins with "raytorus: " and has the words. `more`: other lines may follow it. No file in `folder` is
+    /// made, removed or changed. Then the same with a file that is already there under the name of the
+    /// output, if `output` names one.
     void expectFailure(const Arguments& arguments, ExitCode code, const std::vector<std::string>& words,
                        const Environment& environment = {}) const;
     void expectLongFailure(const Arguments& arguments, ExitCode code, const std::vector<std::string>& words,

@@ -14,6 +14,7 @@
 #include <csignal>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 extern char** environ;
 
@@ -87,8 +88,8 @@ pid_t spawn(std::vector<std::string> command, const ProgramSettings& settings, c
         posix_spawn_file_actions_addchdir_np(&actions, settings.folder.c_str());
     }
     pid_t child = 0;
-    const int problem = posix_spawn(&child, command.front().c_str(), &actions, nullptr, arguments.data(),
-                                    environment.data());
+    const int problem =
+        posix_spawn(&child, command.front().c_str(), &actions, nullptr, arguments.data(), environment.data());
     posix_spawn_file_actions_destroy(&actions);
     require(problem, "posix_spawn");
     return child;
@@ -108,7 +109,8 @@ bool readUntil(std::chrono::steady_clock::time_point deadline, const Pipe& out, 
     std::array<pollfd, 2> files = {pollfd{out.readEnd(), POLLIN, 0}, pollfd{err.readEnd(), POLLIN, 0}};
     const std::array<std::string*, 2> texts = {&result.out, &result.err};
     while (files[0].fd >= 0 || files[1].fd >= 0) {
-        const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
+        const auto left =
+            std::chrono::ceil<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
         if (left.count() <= 0) {
             return false;
         }

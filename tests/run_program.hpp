@@ -21,9 +21,9 @@ struct ProgramSettings {
 };
 
 struct ProgramResult {
-    int exitCode = -1;  ///< minus the signal's number if a signal ended it
-    std::string out;    ///< standard output
-    std::string err;    ///< standard error
+    int exitCode = -1;           ///< minus the signal's number if a signal ended it
+    std::string out;             ///< standard output
+    std::string err;             ///< standard error
     std::size_t peakMemory = 0;  ///< bytes of its largest resident set
 };
 

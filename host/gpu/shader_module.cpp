@@ -16,8 +16,8 @@ constexpr std::uint32_t magicNumber = 0x07230203;
 // OpFunctionEnd, one word long: no module with a function ends otherwise.
 constexpr std::uint32_t functionEnd = 0x00010038;
 
-// Every instruction says its own length in words (2.3 again); together they fill the module exactly, up to the end of
-// its last function. A file that was cut off is found here: drivers and layers may crash on one.
+// Every instruction says its own length in words (2.3 again); together they fill the module exactly, up to
+// the end of its last function. A file that was cut off is found here: drivers and layers may crash on one.
 bool isWhole(std::span<const std::uint32_t> words) {
     if (words.size() <= headerWords || words[0] != magicNumber || words.back() != functionEnd) {
         return false;

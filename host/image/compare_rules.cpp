@@ -52,8 +52,8 @@ void checkRules(const CompareRules& rules, std::span<const std::string> channelN
         }
     }
     if (rules.allowedPixels < 0) {
-        fail(fmt::format("the number of allowed pixels must not be negative, but is {}",
-                         rules.allowedPixels));
+        fail(
+            fmt::format("the number of allowed pixels must not be negative, but is {}", rules.allowedPixels));
     }
     if (rules.windowSize < 1) {
         fail(fmt::format("the window must be at least 1 pixel wide, but is {}", rules.windowSize));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The HTML of a report.
-#include "core/file.hpp"
 #include "image/report.hpp"
 
 #include <fmt/format.h>
@@ -10,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/file.hpp"
 #include "image/comparison_text.hpp"
 #include "image/difference.hpp"
 #include "image/report_picture.hpp"

@@ -76,9 +76,9 @@ SceneStorage storageFor(const Scene& scene) {
 std::vector<gpu::Binding> sceneBindings() {
     constexpr VkDescriptorType uniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
     constexpr VkDescriptorType storage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-    return {{SCENE_BINDING_FRAME, uniform},           {SCENE_BINDING_TORI, uniform},
-            {SCENE_BINDING_NODES, uniform},           {SCENE_BINDING_MATERIALS, uniform},
-            {SCENE_BINDING_TORI_LARGE, storage},      {SCENE_BINDING_NODES_LARGE, storage},
+    return {{SCENE_BINDING_FRAME, uniform},          {SCENE_BINDING_TORI, uniform},
+            {SCENE_BINDING_NODES, uniform},          {SCENE_BINDING_MATERIALS, uniform},
+            {SCENE_BINDING_TORI_LARGE, storage},     {SCENE_BINDING_NODES_LARGE, storage},
             {SCENE_BINDING_MATERIALS_LARGE, storage}};
 }
 

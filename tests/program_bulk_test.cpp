@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// raytorus trace with more rays than it takes at a time (2^20): every answer in its place, and memory that
+// does not grow with the file.
+#include <cstring>
+#include <fstream>
+#include <limits>
+
+#include "program_test.hpp"
+
+namespace raytorus::test {
+namespace {
+
+constexpr std::size_t rayFloats = 8;
+constexpr std::size_t hitFloats = 8;
+
+// Ray i starts at x = 3 + i mod 1000 on the axis and goes towards the torus, which it meets at x = 1.25.
+float startOf(std::size_t index) {
+    return 3.0F + static_cast<float>(index % 1000);
+}
+
+void writeRays(const std::filesystem::path& path, std::size_t count) {
+    std::vector<float> rays(count * rayFloats);
+    for (std::size_t i = 0; i < count; ++i) {
+        float* ray = rays.data() + i * rayFloats;
+        ray[0] = startOf(i);
+        ray[4] = -1.0F;
+        ray[7] = std::numeric_limits<float>::infinity();
+    }
+    std::ofstream file(path, std::ios::binary);
+    file.write(reinterpret_cast<const char*>(rays.data()),
+               static_cast<std::streamsize>(rays.size() * sizeof(float)));
+    ASSERT_TRUE(file.flush());
+}
+
+class ProgramBulk : public ProgramTest {
+protected:
+    ~ProgramBulk() override { std::filesystem::remove_all(folder); }  // half a gigabyte is too much to leave
+
+    // AddressSanitizer, if it is there, keeps freed memory for a while.
+    [[nodiscard]] ProgramResult traceRays(std::size_t count) const {
+        writeRays(folder / "rays.bin", count);
+        return run({"trace", "rays.bin", "-o", "hits.bin", "--torus", "1,0.25"},
+                   {{"ASAN_OPTIONS", "quarantine_size_mb=1"}});
+    }
+};
+
+TEST_F(ProgramBulk, EveryHitIsInItsPlace) {
+    constexpr std::size_t count = 1300000;
+    const ProgramResult result = traceRays(count);
+    EXPECT_EQ(result.exitCode, 0) << testing::PrintToString(result);
+    EXPECT_EQ(result.out + result.err, "");
+    const std::string bytes = fileText(folder / "hits.bin");
+    ASSERT_EQ(bytes.size(), count * hitFloats * sizeof(float));
+    std::vector<float> hits(count * hitFloats);
+    std::memcpy(hits.data(), bytes.data(), bytes.size());
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        // Rays 1000 apart are equal and neighbours differ by 1: a tolerance of 2^-10, some roundings of
+        // numbers up to 1000, tells them apart.
+        const float t = startOf(i) - 1.25F;
+        wrong += hits[i * hitFloats] == 1.0F && std::abs(hits[i * hitFloats + 1] - t) <= 0x1p-10F ? 0U : 1U;
+    }
+    EXPECT_EQ(wrong, 0U);
+}
+
+// Both need more than one chunk of rays, so that all that a chunk needs is there in both. More by 3.7 million
+// rays, the second would need at least 118 MB more if it held its rays (32 bytes each), and as much again if
+// it held its hits.
+TEST_F(ProgramBulk, MemoryDoesNotGrowWithTheFile) {
+    const ProgramResult small = traceRays(1300000);
+    const ProgramResult large = traceRays(5000000);
+    EXPECT_EQ(small.exitCode, 0) << testing::PrintToString(small);
+    EXPECT_EQ(large.exitCode, 0) << testing::PrintToString(large);
+    EXPECT_EQ(std::filesystem::file_size(folder / "hits.bin"), 5000000 * hitFloats * sizeof(float));
+    // A chunk is read (32 MiB) before the one before it is let go, and in the small file the second is a
+    // quarter full; twice that for what the allocator keeps.
+    constexpr std::size_t allowed = std::size_t{64} << 20U;
+    EXPECT_LT(large.peakMemory, small.peakMemory + allowed);
+}
+
+}  // namespace
+}  // namespace raytorus::test

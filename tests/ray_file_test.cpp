@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// Ray and hit files a piece at a time: what is read, what is written, and when it appears.
+#include "cli/ray_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "expect_error.hpp"
+#include "scratch_folder.hpp"
+
+namespace raytorus::cli {
+namespace {
+
+using render::Query;
+using render::TraceRay;
+using test::expectError;
+using test::fileText;
+using test::namesIn;
+using test::scratchFolder;
+using test::writeText;
+
+class RayFile : public testing::Test {
+protected:
+    std::filesystem::path file(const std::string& name, const std::string& text) const {
+        writeText(folder / name, text);
+        return folder / name;
+    }
+
+    std::filesystem::path folder = scratchFolder();
+};
+
+std::string rawRays(int count) {
+    std::vector<float> values(static_cast<std::size_t>(count) * 8);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = static_cast<float>(i);
+    }
+    std::string bytes(values.size() * sizeof(float), '\0');
+    std::memcpy(bytes.data(), values.data(), bytes.size());
+    return bytes;
+}
+
+TEST_F(RayFile, FormatIsThatOfTheExtension) {
+    EXPECT_EQ(formatOf("a.csv"), RayFormat::Csv);
+    EXPECT_EQ(formatOf("a.CSV"), RayFormat::Csv);
+    for (const char* name : {"a.bin", "a", "csv", ".csv", "a.csv.bin", "a.txt"}) {
+        EXPECT_EQ(formatOf(name), RayFormat::Raw) << name;
+    }
+}
+
+TEST_F(RayFile, RawRaysComeInPieces) {
+    RayReader reader(file("rays.bin", rawRays(5)), RayFormat::Raw);
+    EXPECT_EQ(reader.done(), 0.0);
+    EXPECT_EQ(reader.read(2).size(), 2U);
+    EXPECT_EQ(reader.done(), 0.4);
+    const std::vector<TraceRay> rays = reader.read(2);
+    ASSERT_EQ(rays.size(), 2U);
+    EXPECT_EQ(rays[0].origin[0], 16.0F);
+    EXPECT_EQ(rays[0].origin[2], 18.0F);
+    EXPECT_EQ(rays[0].tMin, 19.0F);
+    EXPECT_EQ(rays[1].direction[1], 29.0F);
+    EXPECT_EQ(rays[1].tMax, 31.0F);
+    EXPECT_EQ(reader.read(2).size(), 1U);
+    EXPECT_EQ(reader.done(), 1.0);
+    EXPECT_TRUE(reader.read(2).empty());
+}
+
+TEST_F(RayFile, CsvRaysComeInPieces) {
+    RayReader reader(
+        file("rays.csv",
+             "a,b,c,d,e,f,g,h\n1,2,3,4,5,6,7,8\n# no ray\n-1,-2,-3,-4,-5,-6,-7,inf\n9,9,9,9,9,9,9,9"),
+        RayFormat::Csv);
+    EXPECT_EQ(reader.read(1).size(), 1U);
+    const std::vector<TraceRay> rays = reader.read(1);
+    ASSERT_EQ(rays.size(), 1U);
+    EXPECT_EQ(rays[0].origin[1], -2.0F);
+    EXPECT_EQ(rays[0].tMin, -4.0F);
+    EXPECT_EQ(rays[0].direction[2], -7.0F);
+    EXPECT_EQ(rays[0].tMax, std::numeric_limits<float>::infinity());
+    EXPECT_EQ(reader.read(8).size(), 1U);
+    EXPECT_TRUE(reader.read(8).empty());
+}
+
+// A second line without a number is no header, and one with a number is none anywhere.
+TEST_F(RayFile, HeaderIsTheFirstLineAlone) {
+    const auto readAll = [this](const std::string& text) {
+        RayReader(file("rays.csv", text), RayFormat::Csv).read(100);
+    };
+    readAll("\n# comment\na,b,c,d,e,f,g,h\n1,2,3,4,5,6,7,8\n");
+    expectError([&] { readAll("a,b,c,d,e,f,g,h\na,b,c,d,e,f,g,h\n"); }, ExitCode::File, {"line 2", "\"a\""});
+    expectError([&] { readAll("1,2,3,4,5,6,7,8\na,b,c,d,e,f,g,h\n"); }, ExitCode::File, {"line 2", "\"a\""});
+    expectError([&] { readAll("a,b,c,d,e,f,g,8\n"); }, ExitCode::File, {"line 1", "\"a\""});
+    expectError([&] { readAll("a,b,c\n"); }, ExitCode::File, {"line 1", "3 values"});
+}
+
+TEST_F(RayFile, LinesAreCountedAcrossPieces) {
+    RayReader reader(file("rays.csv", "1,2,3,4,5,6,7,8\n\n1,2,3,4,5,6,7,8\n1,2,3,4\n"), RayFormat::Csv);
+    EXPECT_EQ(reader.read(1).size(), 1U);
+    EXPECT_EQ(reader.read(1).size(), 1U);
+    expectError([&] { static_cast<void>(reader.read(1)); }, ExitCode::File,
+                {"rays.csv", "line 4", "4 values"});
+}
+
+TEST_F(RayFile, FilesThatCannotBeRead) {
+    expectError([this] { RayReader(folder / "missing.bin", RayFormat::Raw); }, ExitCode::File,
+                {"missing.bin"});
+    expectError([this] { RayReader(folder, RayFormat::Raw); }, ExitCode::File, {"directory"});
+    for (const std::size_t size : {1U, 31U, 33U}) {
+        const auto path = file("odd.bin", std::string(size, 'x'));
+        expectError([&] { RayReader(path, RayFormat::Raw); }, ExitCode::File,
+                    {"odd.bin", std::to_string(size) + " bytes"});
+    }
+}
+
+TEST_F(RayFile, RawFileThatShrinksMeanwhile) {
+    const auto path = file("rays.bin", rawRays(4));
+    RayReader reader(path, RayFormat::Raw);
+    std::filesystem::resize_file(path, 40);
+    expectError([&] { static_cast<void>(reader.read(4)); }, ExitCode::File, {"rays.bin", "ended"});
+}
+
+TEST_F(RayFile, CsvHitsAreTheShortestDecimals) {
+    HitWriter writer(folder / "hits.csv", RayFormat::Csv, Query::Nearest);
+    const std::vector<float> hits = {
+        1, 0.1F, 16777216.0F, -0.0F, 1e-30F, 0, 0, 1, 0, std::numeric_limits<float>::infinity(),
+        0, 0,    0,           0,     0,      0};
+    writer.write(hits);
+    writer.write(std::vector<float>(8, 0.5F));
+    writer.commit();
+    EXPECT_EQ(fileText(folder / "hits.csv"),
+              "hit,t,x,y,z,normalX,normalY,normalZ\n1,0.1,16777216,-0,1e-30,0,0,1\n0,inf,0,0,0,0,0,0\n"
+              "0.5,0.5,0.5,0.5,0.5,0.5,0.5,0.5\n");
+}
+
+TEST_F(RayFile, RawHitsAreTheBytes) {
+    const std::string bytes = rawRays(3);
+    std::vector<float> hits(24);
+    std::memcpy(hits.data(), bytes.data(), bytes.size());
+    HitWriter writer(folder / "hits.bin", RayFormat::Raw, Query::Nearest);
+    writer.write(std::span(hits).first(8));
+    writer.write(std::span(hits).subspan(8));
+    writer.commit();
+    EXPECT_TRUE(fileText(folder / "hits.bin") == bytes);
+}
+
+TEST_F(RayFile, HitsAppearWhenTheyAreComplete) {
+    file("hits.csv", "what was there before");
+    {
+        HitWriter writer(folder / "hits.csv", RayFormat::Csv, Query::Any);
+        writer.write(std::vector<float>(3, 1.0F));
+        EXPECT_EQ(fileText(folder / "hits.csv"), "what was there before");
+    }
+    EXPECT_EQ(fileText(folder / "hits.csv"), "what was there before");
+    EXPECT_EQ(namesIn(folder), (std::vector<std::string>{"hits.csv"}));
+}
+
+}  // namespace
+}  // namespace raytorus::cli
