@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "cli/device_options.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <cstdio>
 
 namespace raytorus::cli {
 
@@ -27,7 +30,8 @@ void addDeviceOptions(CLI::App& command, DeviceOptions& options) {
 }
 
 void withDevice(const DeviceOptions& options, const std::function<void(gpu::Context&)>& work) {
-    const auto log = std::make_shared<gpu::ValidationLog>();
+    const auto log = std::make_shared<gpu::ValidationLog>(
+        [](const std::string& message) { fmt::print(stderr, "raytorus: {}\n", message); });
     try {
         gpu::Context context(options.context, log);
         work(context);

@@ -25,7 +25,7 @@ constexpr const char* footer =
           nearest  8 values: hit (1 or 0), t, position x, y, z, normal x, y, z
           --all    17 values: count, four t, four positions
           --any    1 value: 1 or 0
-        where there is no hit, t is tMax and position and normal are 0
+        where there is no hit, t is tMax (0 if that is no number) and position and normal are 0
 
 Examples:
   raytorus trace rays.csv -o hits.csv --torus 1,0.25

@@ -25,6 +25,9 @@ VKAPI_ATTR VkBool32 VKAPI_CALL receive(VkDebugUtilsMessageSeverityFlagBitsEXT se
 
 void ValidationLog::add(std::string message) {
     const std::lock_guard lock(mutex);
+    if (listener) {
+        listener(message);
+    }
     log.push_back(std::move(message));
 }
 
@@ -40,7 +43,7 @@ void ValidationLog::requireEmpty() const {
         return;
     }
     std::string text = fmt::format("the Vulkan validation layers reported {} message(s)", all.size());
-    for (std::size_t i = 0; i < std::min(all.size(), shown); ++i) {
+    for (std::size_t i = 0; i < std::min(all.size(), listener ? 0 : shown); ++i) {
         text += "\n  " + all[i];
     }
     throw Error(ExitCode::ValidationMessage, text);

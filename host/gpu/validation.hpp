@@ -5,7 +5,7 @@
 
 #include <vulkan/vulkan.h>
 
-#include <memory>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -14,15 +14,23 @@ namespace raytorus::gpu {
 
 class ValidationLog {
 public:
+    ValidationLog() = default;
+    /// `listener` hears each message as it comes: what is said before a driver crashes would else be lost
+    /// with the log.
+    explicit ValidationLog(std::function<void(const std::string&)> messageListener)
+        : listener(std::move(messageListener)) {}
+
     void add(std::string message);
     [[nodiscard]] std::vector<std::string> messages() const;
 
-    /// Throws Error{ValidationMessage} if there is any message; its text holds the first ones.
+    /// Throws Error{ValidationMessage} if there is any message; its text holds the first ones, if nobody
+    /// listened.
     void requireEmpty() const;
 
 private:
     mutable std::mutex mutex;
     std::vector<std::string> log;
+    std::function<void(const std::string&)> listener;
 };
 
 /// Every layer that the loader knows.
