@@ -72,19 +72,20 @@ every_tenth() {
                 echo "  ${BASH_REMATCH[1]} %"
                 next=$((BASH_REMATCH[1] / 10 * 10 + 10))
             fi
-        elif [[ $line != "-- "* ]]; then
+        elif [[ $line != "-- "* && $line != "ninja: no work to do." ]]; then
             printf '%s\n' "$line"
         fi
     done
 }
 
-# build <preset> <target> [configure argument...]: configures where that is due, then builds, silent if nothing is to do.
+# build <preset> <target> [argument...]: configures, the first time with the arguments, and builds, where either is due.
 build() {
     local preset=$1 target=$2
     shift 2
     local folder=build/$preset
     if [[ ! -e $folder/build.ninja || CMakePresets.json -nt $folder/build.ninja ]]; then
         echo "Configuring $folder"
+        [[ ! -e $folder/CMakeCache.txt ]] || set --
         quietly "build/$preset.log" cmake --preset "$preset" "$@" || fail "configuring failed, see above"
     fi
     local -a command=(cmake --build --preset "$preset" --target "$target")

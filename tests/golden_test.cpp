@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ostream>
 
 #include "device_fixture.hpp"
 #include "golden_check.hpp"
@@ -27,6 +28,10 @@ struct CaseRun {
 
 std::string labelOf(const CaseRun& run) {
     return fmt::format("{}_{}", run.row.name, run.route == render::Route::Fragment ? "fragment" : "compute");
+}
+
+void PrintTo(const CaseRun& run, std::ostream* out) {
+    *out << labelOf(run);
 }
 
 std::vector<CaseRun> allRuns() {

@@ -80,10 +80,47 @@ HitJudge::Answers HitJudge::ask(const reference::Torus& torus, const std::vector
             traceRows<render::AllHits>(all, torus, input), traceRows<float>(any, torus, input)};
 }
 
+namespace {
+
+void addFault(Judgement& judgement, const std::string& what, const std::string& name, std::size_t index,
+              const reference::Torus& torus, const reference::Ray& ray) {
+    if (!what.empty() && ++judgement.faultCount <= shownFaults) {
+        judgement.faults.push_back(
+            fmt::format("{}, ray {}: {}\n  {}", name, index, what, reference::hexFloats(torus, ray)));
+    }
+}
+
+// The first of a ray's hits that is not where it must be; empty if none is. Notes how far off each is.
+std::string misplaced(const reference::Torus& torus, const reference::Ray& ray,
+                      const reference::Intersections& truth, const render::AllHits& all,
+                      Judgement& judgement) {
+    const double size = static_cast<double>(torus.majorRadius) + static_cast<double>(torus.minorRadius);
+    const double rayLength = length(reference::toQuad(ray.direction));
+    for (int k = 0; k < truth.count; ++k) {
+        const auto& exact = truth.hits[static_cast<std::size_t>(k)];
+        const float(&position)[3] = all.position[k];
+        const double error = distanceBetween(exact.position, position) / size;
+        const double tError = ulpsBetween(exact.t, all.t[k], size / rayLength);
+        const double surface =
+            std::abs(reference::toDouble(reference::distance(torus, reference::toQuad(position))));
+        judgement.offSurface = std::max(judgement.offSurface, surface / size);
+        judgement.positionError = std::max(judgement.positionError, error);
+        judgement.tError = std::max(judgement.tError, tError);
+        if (!(error <= positionBound)) {
+            return fmt::format("position {} is off by {:.3g} (R + r)", k, error);
+        }
+        if (!(tError <= tBound)) {
+            return fmt::format("t {} is off by {:.3g} ulp", k, tError);
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
 Judgement HitJudge::judge(const reference::Torus& torus, const std::vector<reference::Ray>& rays,
                           const std::string& name) {
     const Answers answers = ask(torus, rays);
-    const double size = static_cast<double>(torus.majorRadius) + static_cast<double>(torus.minorRadius);
     const double endMargin = clearEndMargin(static_cast<double>(torus.minorRadius));
     Judgement judgement;
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -93,29 +130,31 @@ Judgement HitJudge::judge(const reference::Torus& torus, const std::vector<refer
             continue;
         }
         ++judgement.judged;
-        const double rayLength = length(reference::toQuad(rays[i].direction));
-        std::string fault = faultOf(truth, answers.nearest[i], answers.all[i], answers.any[i]);
-        for (int k = 0; k < truth.count && fault.empty(); ++k) {
-            const auto& exact = truth.hits[static_cast<std::size_t>(k)];
-            const float(&position)[3] = answers.all[i].position[k];
-            const double error = distanceBetween(exact.position, position) / size;
-            const double tError = ulpsBetween(exact.t, answers.all[i].t[k], size / rayLength);
-            const double surface =
-                std::abs(reference::toDouble(reference::distance(torus, reference::toQuad(position))));
-            judgement.offSurface = std::max(judgement.offSurface, surface / size);
-            judgement.positionError = std::max(judgement.positionError, error);
-            judgement.tError = std::max(judgement.tError, tError);
-            if (!(error <= positionBound)) {
-                fault = fmt::format("position {} is off by {:.3g} (R + r)", k, error);
-            } else if (!(tError <= tBound)) {
-                fault = fmt::format("t {} is off by {:.3g} ulp", k, tError);
-            }
-        }
         judgement.hits += truth.count > 0 ? 1 : 0;
-        if (!fault.empty() && ++judgement.faultCount <= shownFaults) {
-            judgement.faults.push_back(
-                fmt::format("{}, ray {}: {}\n  {}", name, i, fault, reference::hexFloats(torus, rays[i])));
+        std::string fault = faultOf(truth, answers.nearest[i], answers.all[i], answers.any[i]);
+        if (fault.empty()) {
+            fault = misplaced(torus, rays[i], truth, answers.all[i], judgement);
         }
+        addFault(judgement, fault, name, i, torus, rays[i]);
+    }
+    return judgement;
+}
+
+Judgement HitJudge::judgeVerdicts(const reference::Torus& torus, const std::vector<reference::Ray>& rays,
+                                  const std::string& name) {
+    const Answers answers = ask(torus, rays);
+    const double endMargin = clearEndMargin(static_cast<double>(torus.minorRadius));
+    Judgement judgement;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const reference::Intersections truth = reference::intersect(torus, rays[i]);
+        if (truth.endClearance() < endMargin) {
+            ++judgement.unclear;
+            continue;
+        }
+        ++judgement.judged;
+        judgement.hits += truth.count > 0 ? 1 : 0;
+        addFault(judgement, faultOf(truth, answers.nearest[i], answers.all[i], answers.any[i]), name, i,
+                 torus, rays[i]);
     }
     return judgement;
 }

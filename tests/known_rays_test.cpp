@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <ostream>
 #include <vector>
 
 #include "device_fixture.hpp"
@@ -33,6 +34,10 @@ struct Known {
     std::vector<double> t;
     double tolerance;  ///< of t
 };
+
+void PrintTo(const Known& known, std::ostream* out) {
+    *out << known.name;
+}
 
 // Half an ulp of numbers up to 4, twice: the shift and the root.
 constexpr double ulps = 5e-7;

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,10 @@ inline constexpr RayClass allRayClasses[] = {
     RayClass::axisAligned,  RayClass::nonUnit,     RayClass::grazing,       RayClass::segment};
 
 const char* nameOf(RayClass rayClass);
+// For GoogleTest's messages.
+inline void PrintTo(RayClass rayClass, std::ostream* out) {
+    *out << nameOf(rayClass);
+}
 int branchCount(RayClass rayClass);
 
 struct RayParameters {
