@@ -39,10 +39,11 @@ inline double clearEndMargin(double minorRadius) {
 /// coordinate, of which at most two reach up to R + r < 2 units (2^-24 sqrt 2 = 8.4e-8), and nothing else.
 inline constexpr double positionBound = 9e-8;
 
-/// How far t may be from the exact one, in ulp of t: half an ulp, and a twentieth for what 2^-40 or so
-/// leaves. Of a t shorter than (R + r) / 16, the ulp of that, 2^-27 (R + r): the line is known to some 2^-40
-/// (R + r), which a slanting surface makes a hundred times longer.
-inline constexpr double tBound = 0.55;
+/// How far t may be from the exact one, in ulp of t. Nearly always it is half an ulp; a flat crossing (a ray
+/// nearly along a thin tube, or near the tip of a horn) can double it. Of a t shorter than (R + r) / 16, the
+/// ulp of that, 2^-27 (R + r): the line is known to some 2^-40 (R + r), which a slanting surface makes a
+/// hundred times longer.
+inline constexpr double tBound = 1.0;
 
 /// Asks all three questions of rays, and judges the answers.
 class HitJudge {

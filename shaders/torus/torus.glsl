@@ -53,17 +53,27 @@ struct TorusHit {
 // curvature at u, kept apart from u, makes position and t right to the rounding of the result, tangents included. Far
 // away several hits can have one t; exactU tells them apart.
 TorusHit torus_hit(torus_Line line, float u, float tMin, float tMax, out float exactU) {
-    torus_Point point = torus_exactPoint(line, u);
-    TORUS_PRECISE float rest = point.halfSlope * point.halfSlope - point.halfCurvature * point.tube;
-    TORUS_PRECISE float root = sqrt(max(rest, 0.0));
-    TORUS_PRECISE float denominator = point.halfSlope < 0.0 ? point.halfSlope - root : point.halfSlope + root;
-    TORUS_PRECISE float step = denominator != 0.0 ? -point.tube / denominator : 0.0;
+    torus_Point point;
+    TORUS_PRECISE float at = u;
+    TORUS_PRECISE float step = 0.0;
+    bool again = true;
+    for (int i = 0; i < TORUS_LAST_STEPS && again; ++i) {
+        at = at + step;
+        point = torus_exactPoint(line, at);
+        TORUS_PRECISE float rest = point.halfSlope * point.halfSlope - point.halfCurvature * point.tube;
+        TORUS_PRECISE float root = sqrt(max(rest, 0.0));
+        TORUS_PRECISE float denominator = point.halfSlope < 0.0 ? point.halfSlope - root : point.halfSlope + root;
+        step = denominator != 0.0 ? -point.tube / denominator : 0.0;
+        // The slope is known to some 2^-24, and the step to as much over the slope: a long step along a flat
+        // crossing, as of a ray nearly along a thin tube, needs a second one.
+        again = abs(step) > TORUS_LONG_STEP * abs(point.halfSlope);
+    }
     TORUS_PRECISE vec3 position = (point.high + (point.low + step * line.direction)) * line.unit;
-    TORUS_PRECISE float uT = u * line.tPerU;
+    TORUS_PRECISE float uT = at * line.tPerU;
     TORUS_PRECISE float sum = line.footT + uT;
     TORUS_PRECISE float t =
         sum + (torus_sumError(line.footT, uT, sum) + (line.footTLow + step * line.tPerU));
-    TORUS_PRECISE float sumU = u + step;
+    TORUS_PRECISE float sumU = at + step;
     exactU = sumU;
     return TorusHit(min(max(t, tMin), tMax), position);
 }

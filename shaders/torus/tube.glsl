@@ -32,6 +32,9 @@
 // Newton hops to and fro for ever near a tangent.
 #define TORUS_ROOT_STEP 0.0009765625
 #define TORUS_ROOT_VALUE 1.2e-7
+// Exact last steps to a root: one, and more where it is longer than this part of the slope.
+#define TORUS_LAST_STEPS 3
+#define TORUS_LONG_STEP 0.01
 // Nearer to the axis than this, in units, the direction of rho is lost in rounding: its slope, which jumps there, fades
 // to 0 instead of becoming anything.
 #define TORUS_AXIS 1.0e-6
