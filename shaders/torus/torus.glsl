@@ -66,7 +66,8 @@ TorusHit torus_hit(torus_Line line, float u, float tMin, float tMax, out float e
         step = denominator != 0.0 ? -point.tube / denominator : 0.0;
         // The slope is known to some 2^-24, and the step to as much over the slope: a long step along a flat
         // crossing, as of a ray nearly along a thin tube, needs a second one.
-        again = abs(step) > TORUS_LONG_STEP * abs(point.halfSlope);
+        TORUS_PRECISE float longStep = TORUS_LONG_STEP * abs(point.halfSlope);
+        again = abs(step) > longStep;
     }
     TORUS_PRECISE vec3 position = (point.high + (point.low + step * line.direction)) * line.unit;
     TORUS_PRECISE float uT = at * line.tPerU;
