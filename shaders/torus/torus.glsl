@@ -65,9 +65,12 @@ TorusHit torus_hit(torus_Line line, float u, float tMin, float tMax, out float e
         TORUS_PRECISE float denominator = point.halfSlope < 0.0 ? point.halfSlope - root : point.halfSlope + root;
         step = denominator != 0.0 ? -point.tube / denominator : 0.0;
         // The slope is known to some 2^-24, and the step to as much over the slope: a long step along a flat
-        // crossing, as of a ray nearly along a thin tube, needs a second one.
+        // crossing, as of a ray nearly along a thin tube, needs a second one. So does a step near the axis, where rho
+        // turns sharply: at the tip of a horn.
         TORUS_PRECISE float longStep = TORUS_LONG_STEP * abs(point.halfSlope);
-        again = abs(step) > longStep;
+        TORUS_PRECISE float thirdOrder = point.sixthThird * step * step * step;
+        TORUS_PRECISE float smallOrder = TORUS_THIRD_ORDER * root;
+        again = abs(step) > longStep || abs(thirdOrder) > smallOrder;
     }
     TORUS_PRECISE vec3 position = (point.high + (point.low + step * line.direction)) * line.unit;
     TORUS_PRECISE float uT = at * line.tPerU;

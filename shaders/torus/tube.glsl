@@ -32,9 +32,11 @@
 // Newton hops to and fro for ever near a tangent.
 #define TORUS_ROOT_STEP 0.0009765625
 #define TORUS_ROOT_VALUE 1.2e-7
-// Exact last steps to a root: one, and more where it is longer than this part of the slope.
+// Exact last steps to a root: one, and more where it is longer than this part of the slope, or where the third
+// derivative, which the parabola leaves out, moves the root by more than half this much.
 #define TORUS_LAST_STEPS 3
 #define TORUS_LONG_STEP 0.01
+#define TORUS_THIRD_ORDER 7.450580597e-9
 // Nearer to the axis than this, in units, the direction of rho is lost in rounding: its slope, which jumps there, fades
 // to 0 instead of becoming anything.
 #define TORUS_AXIS 1.0e-6
@@ -63,6 +65,7 @@ struct torus_Point {
     float tube;           // G there, to some 2^-45 of r (R + r)
     float halfSlope;      // half of G' there
     float halfCurvature;  // half of G'' there
+    float sixthThird;     // a sixth of G''' there: all of it is the bend of rho, which is sharp near the axis
 };
 
 torus_Point torus_exactPoint(torus_Line line, float u) {
@@ -89,8 +92,11 @@ torus_Point torus_exactPoint(torus_Line line, float u) {
     TORUS_PRECISE float halfSlope = (along + z * line.direction.z) - line.majorRadius * rootSlope;
     point.halfSlope = halfSlope;
     TORUS_PRECISE float n = line.direction.x * line.direction.x + line.direction.y * line.direction.y;
-    TORUS_PRECISE float halfCurvature = line.length2 - line.majorRadius * ((n - rootSlope * rootSlope) * perRoot);
+    TORUS_PRECISE float bend = line.majorRadius * ((n - rootSlope * rootSlope) * perRoot);
+    TORUS_PRECISE float halfCurvature = line.length2 - bend;
     point.halfCurvature = halfCurvature;
+    TORUS_PRECISE float sixthThird = bend * rootSlope * perRoot;
+    point.sixthThird = sixthThird;
     return point;
 }
 
