@@ -13,7 +13,7 @@ raytorus_add_tests(gpu_tests
         known_rays_test.cpp
         surface_test.cpp
         torus_cxx.cpp
-    LIBRARIES raytorus::render raytorus_reference raytorus_shaders raytorus_test_shaders glm::glm)
+    LIBRARIES raytorus::render raytorus::reference raytorus_shaders raytorus_test_shaders glm::glm)
 
 # The library as C++, for cxx_twin_test.cpp: torus_cxx/*.glsl in the build folder, included by torus_cxx.cpp.
 find_package(glm CONFIG REQUIRED)

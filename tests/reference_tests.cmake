@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
 # The reference and the ray generator are judged before they judge the shaders.
-add_subdirectory(reference)
 
 raytorus_add_tests(reference_tests
     SOURCES
@@ -11,4 +10,4 @@ raytorus_add_tests(reference_tests
         reference/property_test.cpp
         reference/roots_test.cpp
         reference/surface_test.cpp
-    LIBRARIES raytorus_reference)
+    LIBRARIES raytorus::reference)

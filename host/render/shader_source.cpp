@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <cstring>
-#include <span>
 
 #include "core/error.hpp"
 #include "core/file.hpp"
@@ -13,6 +12,9 @@
 namespace raytorus::render {
 
 std::vector<std::uint32_t> ShaderSource::load(const std::string& name) const {
+    if (!replacedName.empty() && name == replacedName) {
+        return {replacement.begin(), replacement.end()};
+    }
     if (folder.empty()) {
         const std::span<const std::uint32_t> words = shaders::find(name);
         if (words.empty()) {
