@@ -19,8 +19,7 @@ void addTraceCommand(CLI::App& app, Action& action);
 void addCompareCommand(CLI::App& app, Action& action);
 void addDoctorCommand(CLI::App& app, Action& action);
 
-/// Parses and runs a command line (without the program's name). The one place where Error becomes an exit
-/// code: messages go to standard error, one line first that says what is wrong.
+/// Parses and runs a command line (without the program's name), as runProgram does.
 ExitCode runCommandLine(const std::vector<std::string>& arguments);
 
 }  // namespace raytorus::cli

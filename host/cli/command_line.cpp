@@ -3,10 +3,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
-#include <new>
 
 #include "cli/command.hpp"
+#include "cli/program.hpp"
 
 namespace raytorus::cli {
 namespace {
@@ -31,11 +30,6 @@ Exit codes:
   10  device lost or time-out
   11  validation message
   12  NaN or infinity in a picture)";
-
-ExitCode fail(ExitCode code, const std::string& message) {
-    fmt::print(stderr, "raytorus: {}\n", message);
-    return code;
-}
 
 // What CLI11 says, but for what it says too little of: it finds a positional argument missing before it finds
 // that what stands in its place is an option, or a command, which does not exist.
@@ -79,7 +73,7 @@ ExitCode parseAndRun(std::vector<std::string> arguments) {
         app.exit(success);
         return ExitCode::Ok;
     } catch (const CLI::ParseError& error) {
-        return fail(ExitCode::Usage, fmt::format("{} (see {})", usageProblem(app, error), helpOf(app)));
+        throw Error(ExitCode::Usage, fmt::format("{} (see {})", usageProblem(app, error), helpOf(app)));
     }
     return action();
 }
@@ -87,15 +81,7 @@ ExitCode parseAndRun(std::vector<std::string> arguments) {
 }  // namespace
 
 ExitCode runCommandLine(const std::vector<std::string>& arguments) {
-    try {
-        return parseAndRun(arguments);
-    } catch (const Error& error) {
-        return fail(error.exitCode, error.what());
-    } catch (const std::bad_alloc&) {
-        return fail(ExitCode::OutOfMemory, "out of memory");
-    } catch (const std::exception& error) {
-        return fail(ExitCode::Internal, fmt::format("internal error: {}", error.what()));
-    }
+    return runProgram("raytorus", [&arguments] { return parseAndRun(arguments); });
 }
 
 }  // namespace raytorus::cli

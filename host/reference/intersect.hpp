@@ -126,9 +126,11 @@ RootList<Real> lineRoots(const BasicTorus<Real>& torus, const LineForms<Real>& f
     return found;
 }
 
-template <class Real>
-BasicIntersections<Real> intersectAs(const BasicTorus<Real>& torus, const BasicRay<Real>& ray) {
-    BasicIntersections<Real> result;
+// Reduced in Real, solved in Solving: the distance of the origin is Real's business alone, since the line
+// near the torus is made of numbers of the torus' size.
+template <class Real, class Solving = Real>
+BasicIntersections<Solving> intersectAs(const BasicTorus<Real>& torus, const BasicRay<Real>& ray) {
+    BasicIntersections<Solving> result;
     if (!isValid(torus, ray)) return result;
 
     // Scale: p = 2^length p', d = 2^speed d', hence t = 2^(length - speed) t'.
@@ -142,26 +144,28 @@ BasicIntersections<Real> intersectAs(const BasicTorus<Real>& torus, const BasicR
         origin[i] = timesPowerOfTwo(ray.origin[i], -length);
         direction[i] = timesPowerOfTwo(ray.direction[i], -speed);
     }
-    const BasicTorus<Real> unit(timesPowerOfTwo(torus.majorRadius, -length),
-                                timesPowerOfTwo(torus.minorRadius, -length));
-    const ScaledLine<Real> line = shiftedToFoot(origin, direction);
-    const LineForms<Real> forms(unit, line.point, line.direction);
-    const Real start = timesPowerOfTwo(ray.tMin, speed - length) - line.shift;
-    const Real stop = timesPowerOfTwo(ray.tMax, speed - length) - line.shift;
+    const ScaledLine<Real> exactLine = shiftedToFoot(origin, direction);
+    const BasicTorus<Solving> unit(convert<Solving>(timesPowerOfTwo(torus.majorRadius, -length)),
+                                   convert<Solving>(timesPowerOfTwo(torus.minorRadius, -length)));
+    const ScaledLine<Solving> line{convert<Solving>(exactLine.point), convert<Solving>(exactLine.direction),
+                                   convert<Solving>(exactLine.shift)};
+    const LineForms<Solving> forms(unit, line.point, line.direction);
+    const Solving start = convert<Solving>(timesPowerOfTwo(ray.tMin, speed - length) - exactLine.shift);
+    const Solving stop = convert<Solving>(timesPowerOfTwo(ray.tMax, speed - length) - exactLine.shift);
 
-    const RootList<Real> found = lineRoots(unit, forms);
+    const RootList<Solving> found = lineRoots(unit, forms);
     for (int i = 0; i < found.count; ++i) {
-        const Root<Real>& root = found.roots[static_cast<std::size_t>(i)];
+        const Root<Solving>& root = found.roots[static_cast<std::size_t>(i)];
         if (!(root.value >= start && root.value <= stop)) continue;
-        BasicHit<Real>& hit = result.hits[static_cast<std::size_t>(result.count++)];
+        BasicHit<Solving>& hit = result.hits[static_cast<std::size_t>(result.count++)];
         hit.t = timesPowerOfTwo(line.shift + root.value, length - speed);
         hit.position = line.at(root.value);
-        for (Real& component : hit.position)
+        for (Solving& component : hit.position)
             component = timesPowerOfTwo(component, length);
         hit.entering = root.falling;
     }
 
-    const auto signedClearance = [&](Real u) {
+    const auto signedClearance = [&](Solving u) {
         return isFinite(u) ? toDouble(tubeDistance(unit, line.at(u)) / unit.minorRadius)
                            : std::numeric_limits<double>::infinity();
     };
@@ -169,11 +173,11 @@ BasicIntersections<Real> intersectAs(const BasicTorus<Real>& torus, const BasicR
     result.startsInside = atStart < 0;
     result.startClearance = std::abs(atStart);
     result.stopClearance = std::abs(signedClearance(stop));
-    const Real moment = line.point[0] * line.direction[1] - line.point[1] * line.direction[0];
+    const Solving moment = line.point[0] * line.direction[1] - line.point[1] * line.direction[0];
     const Extrema extrema = tubeExtrema(toDouble(unit.majorRadius), toDouble(forms.A), toDouble(forms.B),
                                         toDouble(forms.a), toDouble(forms.b), toDouble(moment * moment));
     for (int i = 0; i < extrema.count; ++i) {
-        const Real u(extrema.at[static_cast<std::size_t>(i)]);
+        const Solving u(extrema.at[static_cast<std::size_t>(i)]);
         result.clearance = std::min(result.clearance, std::abs(signedClearance(u)));
     }
     return result;

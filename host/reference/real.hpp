@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace raytorus::reference {
 
@@ -62,6 +63,20 @@ inline double toDouble(double x) {
 }
 inline double toDouble(long double x) {
     return static_cast<double>(x);
+}
+
+// Rounds to a type of fewer bits, or keeps the type.
+template <class To, class From>
+To convert(const From& x) {
+    if constexpr (std::is_same_v<To, From>) {
+        return x;
+    } else {
+        return static_cast<To>(toDouble(x));
+    }
+}
+template <class To, class From>
+Vec3<To> convert(const Vec3<From>& v) {
+    return {convert<To>(v[0]), convert<To>(v[1]), convert<To>(v[2])};
 }
 
 template <class Real>

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// What is verified: cells of rays of one class, one shape of torus and one distance.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reference/rays.hpp"
+#include "verify/statistics.hpp"
+
+namespace raytorus::verify {
+
+struct Cell {
+    reference::RayClass rayClass = reference::RayClass::camera;
+    float minorRadius = 0.25F;  ///< the major radius is 1
+    double distance = 3.0;      ///< of origins from the centre, in R; 0 for a class that has none of its own
+    double margin = 0.0;        ///< grazing alone: from this part of r ...
+    double marginTo = 0.0;      ///< ... to this
+
+    [[nodiscard]] bool isGrazing() const { return rayClass == reference::RayClass::grazing; }
+    /// The ray of that number.
+    [[nodiscard]] reference::Ray ray(std::uint64_t seed, std::uint64_t index) const;
+    /// "camera", "grazing 1e-06..1e-05".
+    [[nodiscard]] std::string className() const;
+};
+
+struct CellChoice {
+    std::vector<reference::RayClass> classes;  ///< empty: all
+    std::vector<float> radii;                  ///< empty: .001 .01 .05 .1 .25 .5 .9 1 1.5
+    std::vector<double> distances;             ///< empty: 1.5 3 10 100 1e3 1e4 1e6; grazing to 100
+};
+
+/// Every combination that exists. Classes that start at the torus have one distance, none.
+std::vector<Cell> chooseCells(const CellChoice& choice);
+
+/// What is allowed of a cell. Nothing where nothing is promised: thin tori within 1e-5 r of a tangent.
+struct Bar {
+    double wrongPart = 0.0;  ///< faults, as a part of the judged rays
+    double positionMax = 0.0;
+    double positionP99 = 0.0;
+    double surfaceMax = 0.0;
+    double tP99 = 0.0;
+    double tMax = 0.0;
+};
+Bar barOf(const Cell& cell);
+
+/// One sentence for each bar that a cell breaks.
+std::vector<std::string> brokenBars(const Cell& cell, const Statistics& statistics);
+
+}  // namespace raytorus::verify

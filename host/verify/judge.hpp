@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// One ray's answers, held to the truth.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "reference/torus_reference.hpp"
+#include "render/tracer.hpp"
+
+namespace raytorus::verify {
+
+/// The truth, rounded to doubles: 1e-16 of a position is a billionth of what floats can be off.
+using Truth = reference::BasicIntersections<double>;
+
+/// By the 113-bit reference. The arbiter: some ten thousand rays a second.
+Truth arbiterTruth(const reference::Torus& torus, const reference::Ray& ray);
+
+/// In 104 bits throughout, some hundred thousand rays a second: for rays near tangents.
+Truth preciseTruth(const reference::Torus& torus, const reference::Ray& ray);
+
+/// Reduced in 104 bits, solved in doubles, some half million rays a second: on clear rays positions are
+/// right to 1e-10 (R + r), at any distance.
+Truth quickTruth(const reference::Torus& torus, const reference::Ray& ray);
+
+/// What torusIntersect, torusIntersectAll and torusOccluded said.
+struct Answers {
+    const render::NearestHit* nearest;
+    const render::AllHits* all;
+    float any;
+};
+
+enum class Fault {
+    None,
+    NonFinite,     ///< NaN or infinity in a hit
+    Missed,        ///< a hit, and the nearest-hit function says that there is none
+    FalseHit,      ///< no hit, and it says that there is one
+    WrongCount,    ///< all-hits function: another number of hits
+    Order,         ///< hits not in ascending t
+    Disagreement,  ///< any-hit differs from nearest, or the nearest's bits from those of the first of all
+    Gross,         ///< a position off by more than grossError
+};
+inline constexpr std::size_t faultKinds = 8;
+
+/// "missed", as tables head their columns.
+const char* nameOf(Fault fault);
+
+/// A gross error, in minor radii.
+inline constexpr double grossError = 0.01;
+
+/// A verdict is clear if no extremum of the distance to the tube along the line is nearer to the surface
+/// than this part of r ...
+inline constexpr double clearMargin = 1e-3;
+
+/// ... and neither end of the ray nearer than this part of r: there the sign of the distance decides, which
+/// float32 knows to some 2^-24 (R + r), thrice for good measure.
+inline double clearEndMargin(const reference::Torus& torus) {
+    const double r{torus.minorRadius};
+    return std::max(2e-5, 2e-7 * (double{torus.majorRadius} + r) / r);
+}
+
+/// How far off a hit is.
+struct HitErrors {
+    double position;  ///< from the exact hit of the ray as given, in R + r
+    double t;         ///< in ulp of t, or of (R + r) / 16 if t is shorter than that
+    double surface;   ///< of the position from the surface, in R + r
+};
+
+struct Judgement {
+    Fault fault = Fault::None;
+    int hitCount = 0;  ///< entries of `errors`; 0 if the counts differ
+    std::array<HitErrors, 4> errors{};
+};
+
+Judgement judge(const reference::Torus& torus, const reference::Ray& ray, const Truth& truth,
+                const Answers& answers);
+
+}  // namespace raytorus::verify

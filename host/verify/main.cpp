@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// raytorus-verify: fresh rays through the real SPIR-V, held to the reference.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+
+#include "cli/program.hpp"
+#include "cli/progress.hpp"
+#include "core/file.hpp"
+#include "verify/replay_text.hpp"
+#include "verify/verifier.hpp"
+#include "verify/verify_options.hpp"
+
+namespace raytorus::verify {
+namespace {
+
+std::vector<CellResult> verifyCells(Verifier& verifier, const VerifyOptions& options) {
+    const std::vector<Cell> cells = chooseCells(options.cells);
+    std::vector<CellResult> results;
+    cli::Progress progress("verifying");
+    for (const Cell& cell : cells) {
+        const auto show = [&](std::uint64_t done) {
+            progress.show((static_cast<double>(results.size()) +
+                           static_cast<double>(done) / static_cast<double>(options.rays)) /
+                          static_cast<double>(cells.size()));
+        };
+        results.push_back({cell, verifier.verify(cell, options.seed, options.rays, show)});
+    }
+    return results;
+}
+
+// The faults, first of all those with a replay; then the bars that they break.
+std::vector<std::string> listFaults(const VerifyOptions& options, const std::vector<CellResult>& results) {
+    std::vector<std::string> broken;
+    for (const CellResult& result : results) {
+        const std::vector<std::string> bars = brokenBars(result.cell, result.statistics);
+        if (bars.empty()) {
+            continue;
+        }
+        broken.insert(broken.end(), bars.begin(), bars.end());
+        for (const std::string& bar : bars) {
+            fmt::print("{}\n", bar);
+        }
+        for (const Example& example : result.statistics.examples) {
+            fmt::print("  {}: {}\n", nameOf(example.fault),
+                       replayCommand(options.method, example.torus, example.ray));
+        }
+        if (result.statistics.faultCount() == 0) {
+            fmt::print(
+                "  position: {}\n  t: {}\n",
+                replayCommand(options.method, result.statistics.position.worstTorus,
+                              result.statistics.position.worstRay),
+                replayCommand(options.method, result.statistics.t.worstTorus, result.statistics.t.worstRay));
+        }
+    }
+    return broken;
+}
+
+ExitCode verifyAll(gpu::Context& context, Verifier& verifier, const VerifyOptions& options) {
+    fmt::print("seed {}{}, {} rays a cell, {} ({})\n", options.seed, options.seedOfTheDay ? " (today)" : "",
+               options.rays, context.info().name, context.info().driverInfo);
+    std::fflush(stdout);
+    const auto start = std::chrono::steady_clock::now();
+    const std::vector<CellResult> results = verifyCells(verifier, options);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    fmt::print("{}", tableText(results, options.rows));
+    const std::vector<std::string> broken = listFaults(options, results);
+    const auto rays = static_cast<double>(options.rays) * static_cast<double>(results.size());
+    fmt::print("{:.3g} rays in {:.1f} s: {:.3g} million a minute\n", rays, seconds, 60e-6 * rays / seconds);
+    if (!options.json.empty()) {
+        const Run run{options.method, options.seed,        options.rays,
+                      seconds,        context.info().name, context.info().driverInfo};
+        OutputFile file(options.json);
+        file.write(resultsJson(run, results, broken));
+        file.commit();
+    }
+    fmt::print("{}\n", broken.empty() ? "every bar is held" : fmt::format("{} bar(s) broken", broken.size()));
+    return broken.empty() ? ExitCode::Ok : ExitCode::ComparisonFailed;
+}
+
+ExitCode run(const VerifyOptions& options) {
+    ExitCode code = ExitCode::Ok;
+    cli::withDevice(options.device, [&](gpu::Context& context) {
+        Verifier verifier(context, options.device.shaders(), options.threads);
+        if (options.replay) {
+            const auto& [torus, ray] = *options.replay;
+            const Verifier::Replay replay = verifier.replay(torus, ray);
+            fmt::print("{}", replayText(torus, ray, replay));
+            code = replay.judgement.fault == Fault::None ? ExitCode::Ok : ExitCode::ComparisonFailed;
+        } else {
+            code = verifyAll(context, verifier, options);
+        }
+    });
+    return code;
+}
+
+}  // namespace
+}  // namespace raytorus::verify
+
+int main(int argc, char** argv) {
+    using namespace raytorus;
+    return cli::exitStatus(cli::runProgram("raytorus-verify", [&] {
+        const auto options = verify::parseOptions({argv + 1, argv + argc});
+        return options ? verify::run(*options) : ExitCode::Ok;
+    }));
+}

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "verify/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+
+namespace raytorus::verify {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string rowName(const Cell& cell, Rows rows) {
+    std::string name = fmt::format("{:<20}", cell.className());
+    if (rows == Rows::Radius || rows == Rows::Cell) {
+        name += fmt::format(" {:>6g}", cell.minorRadius);
+    }
+    if (rows == Rows::Distance || rows == Rows::Cell) {
+        name += cell.distance > 0.0 ? fmt::format(" {:>7g}", cell.distance) : fmt::format(" {:>7}", "-");
+    }
+    return name;
+}
+
+std::string heading(Rows rows) {
+    std::string name = fmt::format("{:<20}", "class");
+    if (rows == Rows::Radius || rows == Rows::Cell) {
+        name += fmt::format(" {:>6}", "r/R");
+    }
+    if (rows == Rows::Distance || rows == Rows::Cell) {
+        name += fmt::format(" {:>7}", "D/R");
+    }
+    return name +
+           fmt::format(
+               " {:>10} {:>5} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} | {:>7} {:>7} {:>7} | {:>5} {:>5} {:>6}\n",
+               "judged", "hit %", "missed", "false", "count", "order", "disagr", "gross", "p50", "p99", "max",
+               "p50", "p99", "max");
+}
+
+std::string rowText(const std::string& name, const Statistics& statistics) {
+    const Histogram& position = statistics.position.histogram;
+    const Histogram& t = statistics.t.histogram;
+    const auto judged = static_cast<double>(statistics.judged());
+    const double hitPart = judged > 0.0 ? 100.0 * static_cast<double>(statistics.hitting) / judged : 0.0;
+    return name + fmt::format(
+                      " {:>10} {:>5.1f} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} | {:>7.1e} {:>7.1e} {:>7.1e} | "
+                      "{:>5.2g} {:>5.2g} {:>6.3g}\n",
+                      statistics.judged(), hitPart, statistics.faultsOf(Fault::Missed),
+                      statistics.faultsOf(Fault::FalseHit), statistics.faultsOf(Fault::WrongCount),
+                      statistics.faultsOf(Fault::Order),
+                      statistics.faultsOf(Fault::Disagreement) + statistics.faultsOf(Fault::NonFinite),
+                      statistics.faultsOf(Fault::Gross), position.quantile(0.5), position.quantile(0.99),
+                      position.max(), t.quantile(0.5), t.quantile(0.99), t.max());
+}
+
+ordered_json errorsJson(const Errors& errors) {
+    const Histogram& histogram = errors.histogram;
+    ordered_json json;
+    json["count"] = histogram.count();
+    for (const auto& [name, part] :
+         {std::pair("p50", 0.5), std::pair("p99", 0.99), std::pair("p99.99", 0.9999)}) {
+        json[name] = histogram.quantile(part);
+    }
+    json["max"] = histogram.max();
+    if (histogram.count() > 0) {
+        json["worst"] = reference::hexFloats(errors.worstTorus, errors.worstRay);
+    }
+    json["histogram"] = ordered_json::array();  // [upper end, count]
+    for (const Histogram::Bin& bin : histogram.bins()) {
+        json["histogram"].push_back({bin.upperEnd, bin.count});
+    }
+    return json;
+}
+
+ordered_json cellJson(const CellResult& result, const std::string& method) {
+    const auto& [cell, statistics] = result;
+    ordered_json json;
+    json["class"] = reference::nameOf(cell.rayClass);
+    json["majorRadius"] = 1;
+    json["minorRadius"] = cell.minorRadius;
+    json["distance"] = cell.distance > 0.0 ? ordered_json(cell.distance) : ordered_json(nullptr);
+    if (cell.isGrazing()) {
+        json["margin"] = {cell.margin, cell.marginTo};
+    }
+    json["rays"] = statistics.rays;
+    json["judged"] = statistics.judged();
+    json["hitting"] = statistics.hitting;
+    for (std::size_t i = 1; i < faultKinds; ++i) {
+        json["faults"][nameOf(static_cast<Fault>(i))] = statistics.faults[i];
+    }
+    json["position"] = errorsJson(statistics.position);  // in R + r
+    json["t"] = errorsJson(statistics.t);                // in ulp
+    json["surface"] = errorsJson(statistics.surface);    // in R + r
+    json["examples"] = ordered_json::array();
+    for (const Example& example : statistics.examples) {
+        json["examples"].push_back({{"fault", nameOf(example.fault)},
+                                    {"ray", reference::hexFloats(example.torus, example.ray)},
+                                    {"replay", replayCommand(method, example.torus, example.ray)}});
+    }
+    return json;
+}
+
+}  // namespace
+
+std::string replayCommand(const std::string& method, const reference::Torus& torus,
+                          const reference::Ray& ray) {
+    return fmt::format("raytorus-verify{} --replay \"{}\"",
+                       method == "raytorus" ? std::string() : " --method " + method,
+                       reference::hexFloats(torus, ray));
+}
+
+std::string tableText(std::span<const CellResult> results, Rows rows) {
+    std::vector<std::pair<std::string, Statistics>> table;
+    for (const CellResult& result : results) {
+        const std::string name = rowName(result.cell, rows);
+        auto row =
+            std::find_if(table.begin(), table.end(), [&](const auto& other) { return other.first == name; });
+        if (row == table.end()) {
+            row = table.insert(row, {name, Statistics()});
+        }
+        row->second.merge(result.statistics);
+    }
+    std::string text = heading(rows);
+    for (const auto& [name, statistics] : table) {
+        text += rowText(name, statistics);
+    }
+    return text;
+}
+
+std::string resultsJson(const Run& run, std::span<const CellResult> results,
+                        std::span<const std::string> broken) {
+    ordered_json json;
+    json["version"] = version();
+    json["method"] = run.method;
+    json["device"] = run.device;
+    json["driver"] = run.driver;
+    json["seed"] = run.seed;
+    json["raysPerCell"] = run.raysPerCell;
+    json["seconds"] = run.seconds;
+    json["units"] = {
+        {"position", "R + r"}, {"surface", "R + r"}, {"t", "ulp of t, or of (R + r) / 16 if longer"}};
+    json["barsBroken"] = broken;
+    json["cells"] = ordered_json::array();
+    for (const CellResult& result : results) {
+        json["cells"].push_back(cellJson(result, run.method));
+    }
+    return json.dump(1) + "\n";
+}
+
+}  // namespace raytorus::verify

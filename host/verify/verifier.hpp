@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Runs cells of rays through the real SPIR-V and judges every answer, on all processors.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+
+#include "render/tracer.hpp"
+#include "verify/cell.hpp"
+
+namespace raytorus::verify {
+
+class Verifier {
+public:
+    /// `shaders` may put another method in the place of trace.comp. `threads` of 0: as many as there are
+    /// processors.
+    explicit Verifier(gpu::Context& context, const render::ShaderSource& shaders = {}, unsigned threads = 0);
+
+    /// The rays 0 ... count - 1 of a cell. `progress`, if given, hears how many are done.
+    Statistics verify(const Cell& cell, std::uint64_t seed, std::uint64_t count,
+                      const std::function<void(std::uint64_t)>& progress = {});
+
+    /// One ray, by the arbiter, however near a tangent.
+    struct Replay {
+        reference::Intersections truth;
+        render::NearestHit nearest;
+        render::AllHits all;
+        float any;
+        Judgement judgement;
+    };
+    Replay replay(const reference::Torus& torus, const reference::Ray& ray);
+
+private:
+    struct Block;
+    Statistics judgeBlock(const Cell& cell, const Block& block) const;
+
+    unsigned threads;
+    render::Tracer nearest;
+    render::Tracer all;
+    render::Tracer any;
+};
+
+}  // namespace raytorus::verify

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "verify/verify_options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace raytorus::verify {
+namespace {
+
+constexpr const char* footer =
+    R"(A cell is a class of rays, a shape of torus and a distance of the origins. All cells are run unless some are chosen.
+Errors of positions are in R + r, those of t in ulp of t (of (R + r) / 16 if t is shorter than that).
+
+Exit codes: 0 every bar is held, 2 a bar is broken (each is named), others as of raytorus.
+
+Examples:
+  raytorus-verify
+  raytorus-verify --class camera,grazing --radius 0.001 --rows distance --rays 1000000
+  raytorus-verify --seed 942361370 --json results.json
+  raytorus-verify --replay "0x1p+0 0x1p-2  -0x1p+1 0x0p+0 0x0p+0 0x0p+0  0x1p+0 0x0p+0 0x0p+0 inf")";
+
+std::string classNames() {
+    std::string names;
+    for (const reference::RayClass rayClass : reference::allRayClasses) {
+        names += fmt::format("{}{}", names.empty() ? "" : " ", reference::nameOf(rayClass));
+    }
+    return names;
+}
+
+reference::RayClass parseClass(const std::string& name) {
+    for (const reference::RayClass rayClass : reference::allRayClasses) {
+        if (name == reference::nameOf(rayClass)) {
+            return rayClass;
+        }
+    }
+    throw Error(ExitCode::Usage,
+                fmt::format("--class: there is no class \"{}\" (there are {})", name, classNames()));
+}
+
+Rows parseRows(const std::string& name) {
+    for (const auto& [word, rows] : {std::pair("class", Rows::Class), std::pair("radius", Rows::Radius),
+                                     std::pair("distance", Rows::Distance), std::pair("cell", Rows::Cell)}) {
+        if (name == word) {
+            return rows;
+        }
+    }
+    throw Error(ExitCode::Usage, fmt::format("--rows is class, radius, distance or cell, not \"{}\"", name));
+}
+
+std::uint64_t parseSeed(const std::string& text) {
+    std::uint64_t seed = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+    if (error != std::errc() || end != text.data() + text.size()) {
+        throw Error(ExitCode::Usage,
+                    fmt::format("--seed is a whole number below 2^64, or today, not \"{}\"", text));
+    }
+    return seed;
+}
+
+void requireSizes(const CellChoice& choice) {
+    for (const float radius : choice.radii) {
+        if (!(radius >= 1e-4F && radius <= 1e4F)) {
+            throw Error(ExitCode::Usage, fmt::format("--radius is r/R from 1e-4 to 1e4, not {:g}", radius));
+        }
+    }
+    for (const double distance : choice.distances) {
+        if (!(distance >= 1.0 && distance <= 1e12)) {
+            throw Error(ExitCode::Usage, fmt::format("--distance is D/R from 1 to 1e12, not {:g}", distance));
+        }
+    }
+}
+
+}  // namespace
+
+std::uint64_t seedOfToday() {
+    const std::chrono::year_month_day today{
+        std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now())};
+    return static_cast<std::uint64_t>(static_cast<int>(today.year())) * 10000U +
+           static_cast<unsigned>(today.month()) * 100U + static_cast<unsigned>(today.day());
+}
+
+std::optional<VerifyOptions> parseOptions(const std::vector<std::string>& arguments) {
+    VerifyOptions options;
+    std::vector<std::string> classes;
+    std::string seed;
+    std::string rows;
+    std::string replay;
+    CLI::App app("Draws fresh rays, asks the shaders, and holds every answer to a 113-bit reference.",
+                 "raytorus-verify");
+    app.set_version_flag("--version", fmt::format("raytorus-verify {}", version()));
+    app.footer(footer);
+    app.add_option("--class", classes, "Classes of rays: " + classNames())
+        ->delimiter(',')
+        ->option_text("NAME,...");
+    app.add_option("--radius", options.cells.radii, "Minor radii; the major radius is 1")
+        ->delimiter(',')
+        ->option_text("r,...");
+    app.add_option("--distance", options.cells.distances, "Distances of the origins from the centre, in R")
+        ->delimiter(',')
+        ->option_text("D,...");
+    app.add_option("--rays", options.rays, "Rays a cell")
+        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40U))
+        ->option_text("N [20000]");
+    app.add_option("--seed", seed, "A whole number, for the same rays again; today: the date")
+        ->option_text("N [today]");
+    app.add_option("--rows", rows, "What the table keeps apart: class, radius, distance or cell (both)")
+        ->option_text("KEY [radius]");
+    app.add_option("--json", options.json, "Everything, histograms and worst rays too, into a file")
+        ->option_text("FILE");
+    app.add_option("--replay", replay,
+                   "Judge one ray, as failures print it: R r, origin, tMin, direction, tMax")
+        ->option_text("\"10 NUMBERS\"");
+    app.add_option("--threads", options.threads, "Threads of the reference")
+        ->check(CLI::Range(1U, 1024U))
+        ->option_text("N [all]");
+    cli::addDeviceOptions(app, options.device);
+    std::vector<std::string> reversed(arguments.rbegin(),
+                                      arguments.rend());  // CLI11 takes them from the back
+    try {
+        app.parse(std::move(reversed));
+    } catch (const CLI::Success& success) {
+        app.exit(success);
+        return std::nullopt;
+    } catch (const CLI::ParseError& error) {
+        throw Error(ExitCode::Usage, fmt::format("{} (see raytorus-verify --help)", error.what()));
+    }
+    for (const std::string& name : classes) {
+        options.cells.classes.push_back(parseClass(name));
+    }
+    requireSizes(options.cells);
+    options.rows = rows.empty() ? Rows::Radius : parseRows(rows);
+    options.seedOfTheDay = seed.empty() || seed == "today";
+    options.seed = options.seedOfTheDay ? seedOfToday() : parseSeed(seed);
+    if (!replay.empty()) {
+        options.replay = reference::parseHexFloats(replay);
+        if (!options.replay) {
+            throw Error(
+                ExitCode::Usage,
+                fmt::format("--replay takes ten numbers: R r, origin, tMin, direction, tMax; not \"{}\"",
+                            replay));
+        }
+    }
+    return options;
+}
+
+}  // namespace raytorus::verify

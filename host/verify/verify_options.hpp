@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// The command line of raytorus-verify.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/device_options.hpp"
+#include "verify/report.hpp"
+
+namespace raytorus::verify {
+
+struct VerifyOptions {
+    CellChoice cells;
+    std::uint64_t rays = 20000;  ///< a cell
+    std::uint64_t seed = 0;
+    bool seedOfTheDay = true;
+    Rows rows = Rows::Radius;
+    std::string method = "raytorus";
+    std::string json;  ///< a file; empty: none
+    std::optional<reference::TorusAndRay> replay;
+    unsigned threads = 0;  ///< 0: as many as there are processors
+    cli::DeviceOptions device;
+};
+
+/// Nothing if there is nothing to do: --help and --version have been answered. Throws Error{Usage}.
+std::optional<VerifyOptions> parseOptions(const std::vector<std::string>& arguments);
+
+/// 20260131: the date of today, UTC.
+std::uint64_t seedOfToday();
+
+}  // namespace raytorus::verify
