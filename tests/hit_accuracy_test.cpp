@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <random>
 
@@ -68,27 +69,24 @@ TEST_P(HitAccuracy, ClearRaysAreRight) {
 
 using Grazing = test::DeviceTest;
 
-// Rays that pass the surface, or dip into it, by a few millionths of r, from up to 100 R away. What may be
-// wrong of them is what moves when the last bits of the ray do. Bars in parts of the rays; the best others
-// are wrong for a quarter.
+// Rays that pass the surface, or dip into it, by a few millionths of r, from up to 100 R away: many nearer
+// than that, since the rounding of their origins moves them. What may be wrong of them is what moves when the
+// last bits of the line do: none in most runs, one of 12 000 in some, of the thinnest. The best others are
+// wrong for a quarter.
 TEST_F(Grazing, VerdictsAreNearlyAlwaysRight) {
     constexpr std::uint64_t raysPerCase = 3000;
-    struct Bar {
-        float minorRadius;
-        double margin;
-        double wrong;
-    };
+    constexpr double mayBeWrong = 5e-4;  // in parts of the rays
     test::HitJudge judge(raysPerCase);
-    for (const Bar& bar :
-         {Bar{0.001F, 3e-6, 0.01}, Bar{0.01F, 3e-6, 0.01}, Bar{0.1F, 3e-6, 0.005}, Bar{0.25F, 3e-6, 0.002},
-          Bar{0.5F, 3e-6, 0.002}, Bar{1.0F, 3e-6, 0.002}, Bar{0.001F, 3e-5, 0.003}, Bar{0.01F, 3e-5, 0.001},
-          Bar{0.1F, 3e-5, 5e-4}, Bar{0.25F, 3e-5, 5e-4}, Bar{0.5F, 3e-5, 5e-4}, Bar{1.0F, 3e-5, 1e-3}}) {
+    for (int i = 0; i < 12; ++i) {
+        const float minorRadius =
+            std::array{0.001F, 0.01F, 0.1F, 0.25F, 0.5F, 1.0F}[static_cast<std::size_t>(i) % 6];
+        const double margin = i < 6 ? 3e-6 : 3e-5;
         test::Judgement all;
         for (const double distance : {1.5, 3.0, 10.0, 100.0}) {
             reference::RayParameters parameters;
-            parameters.torus = {1.0F, bar.minorRadius};
+            parameters.torus = {1.0F, minorRadius};
             parameters.distance = distance;
-            parameters.margin = bar.margin;
+            parameters.margin = margin;
             parameters.seed = freshSeed();
             const auto rays = reference::generateRays(RayClass::grazing, parameters, raysPerCase);
             const test::Judgement judgement = judge.judgeVerdicts(parameters.torus, rays, "grazing");
@@ -96,10 +94,10 @@ TEST_F(Grazing, VerdictsAreNearlyAlwaysRight) {
             all.faultCount += judgement.faultCount;
             all.faults.insert(all.faults.end(), judgement.faults.begin(), judgement.faults.end());
         }
-        fmt::print("r/R {:<6} margin {:g} r: {} of {} wrong\n", bar.minorRadius, bar.margin, all.faultCount,
+        fmt::print("r/R {:<6} margin {:g} r: {} of {} wrong\n", minorRadius, margin, all.faultCount,
                    all.judged);
         EXPECT_GT(all.judged, raysPerCase);
-        EXPECT_LE(static_cast<double>(all.faultCount), bar.wrong * static_cast<double>(all.judged))
+        EXPECT_LE(static_cast<double>(all.faultCount), mayBeWrong * static_cast<double>(all.judged))
             << (all.faults.empty() ? "" : all.faults.front());
     }
 }

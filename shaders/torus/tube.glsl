@@ -27,6 +27,13 @@
 #define TORUS_EXTREMUM_STEP 0.00390625
 // Up to this part of r (R + r), rounding can have turned the sign of G: some ten roundings of its terms.
 #define TORUS_DOUBT 2.0e-6
+// Where a minimum and a maximum of G nearly meet, as near a horn's tip, Newton only halves the way to each, and the
+// curvature with it: this many times as much as the parabola says can be left of G.
+#define TORUS_SETTLE_ROOM 8.0
+// Exact steps to an extremum: one, and more while the third derivative, which the parabola leaves out, changes G there
+// by more than this part.
+#define TORUS_SETTLE_STEPS 4
+#define TORUS_SETTLE_ORDER 0.125
 // A root is near enough when a step is shorter than this part of r: Newton has squared the error by then, and the exact
 // last step (torus_hit) cubes it. Or when G is less than this part of r (R + r), which is its rounding: without that,
 // Newton hops to and fro for ever near a tangent.
@@ -112,6 +119,32 @@ struct torus_Extrema {
     float axis;               // c: where the line is closest to the axis (0 for a line parallel to it)
 };
 
+// Whether rounding, or what is left of the way to an extremum of G, could turn the sign of G there.
+bool torus_doubtful(torus_Line line, float value, float slope, float flatness) {
+    TORUS_PRECISE float doubt = TORUS_DOUBT * line.minorRadius * (line.majorRadius + line.minorRadius);
+    TORUS_PRECISE float left = TORUS_SETTLE_ROOM * (slope * slope * abs(flatness));
+    TORUS_PRECISE float room = doubt + left;
+    return abs(value) <= room;
+}
+
+// An exact step towards an extremum of G that u is near: a minimum for a positive flatness, else a maximum. Returns
+// whether it needs another step; `last` says that there will be none, and that the value has to be right as it is.
+bool torus_settle(torus_Line line, float flatness, bool last, inout float u, inout float value) {
+    torus_Point point = torus_exactPoint(line, u);
+    // To the extremum of the parabola with this value, slope and curvature.
+    bool bends = point.halfCurvature * flatness > 0.0;
+    TORUS_PRECISE float step = bends ? -point.halfSlope / point.halfCurvature : 0.0;
+    TORUS_PRECISE float settled = point.tube + point.halfSlope * step;
+    TORUS_PRECISE float thirdOrder = point.sixthThird * step * step * step;
+    TORUS_PRECISE float smallOrder = TORUS_SETTLE_ORDER * settled;
+    bool busy = abs(thirdOrder) > abs(smallOrder);
+    // A parabola that does not fit decides nothing: then the value is that of a point of the line.
+    TORUS_PRECISE float next = busy && last ? u : u + step;
+    u = next;
+    value = busy ? point.tube : settled;
+    return busy && !last;
+}
+
 torus_Extrema torus_extrema(torus_Line line) {
     TORUS_PRECISE float n = line.direction.x * line.direction.x + line.direction.y * line.direction.y;
     TORUS_PRECISE float m = line.foot.x * line.direction.x + line.foot.y * line.direction.y;
@@ -162,26 +195,39 @@ torus_Extrema torus_extrema(torus_Line line) {
 
     torus_Extrema extrema;
     bool mirrored = mirror < 0.0;
-    float slope;
     TORUS_PRECISE float leftAt = mirror * left;
     TORUS_PRECISE float rightAt = mirror * right;
     TORUS_PRECISE float axis = mirror * c;
-    float leftValue = torus_tube(line, leftAt, slope);
-    float rightValue = torus_tube(line, rightAt, slope);
-    // Where rounding could turn a sign, the values are computed again, exactly.
-    TORUS_PRECISE float doubt = TORUS_DOUBT * line.minorRadius * (line.majorRadius + line.minorRadius);
-    int afterLast = abs(rightValue) <= doubt ? 2 : 1;
-    for (int i = abs(leftValue) <= doubt ? 0 : 1; i < afterLast; ++i) {
-        torus_Point point = torus_exactPoint(line, i == 0 ? leftAt : rightAt);
-        leftValue = i == 0 ? point.tube : leftValue;
-        rightValue = i == 0 ? rightValue : point.tube;
+    float leftSlope;
+    float rightSlope;
+    float leftValue = torus_tube(line, leftAt, leftSlope);
+    float rightValue = torus_tube(line, rightAt, rightSlope);
+    bool leftBusy = torus_doubtful(line, leftValue, leftSlope, leftFlatness);
+    bool rightBusy = hasRight && torus_doubtful(line, rightValue, rightSlope, rightFlatness);
+    // One loop for both: drivers that run the untaken side of branches run the long exact step but once.
+    int steps = 0;
+    for (int i = 0; i < 2 * TORUS_SETTLE_STEPS && (leftBusy || rightBusy); ++i) {
+        bool atLeft = leftBusy;
+        float at = atLeft ? leftAt : rightAt;
+        float value = 0.0;
+        ++steps;
+        bool again = torus_settle(line, atLeft ? leftFlatness : rightFlatness, steps == TORUS_SETTLE_STEPS, at, value);
+        steps = again ? steps : 0;
+        leftBusy = atLeft && again;
+        rightBusy = rightBusy && (atLeft || again);
+        leftAt = atLeft ? at : leftAt;
+        leftValue = atLeft ? value : leftValue;
+        rightAt = atLeft ? rightAt : at;
+        rightValue = atLeft ? rightValue : value;
     }
+    rightAt = hasRight ? rightAt : leftAt;
+    rightValue = hasRight ? rightValue : leftValue;
     extrema.hasSecond = hasRight;
     extrema.axis = axis;
-    extrema.firstMinimum = mirrored ? -right : left;
+    extrema.firstMinimum = mirrored ? rightAt : leftAt;
     extrema.firstValue = mirrored ? rightValue : leftValue;
     extrema.firstFlatness = mirrored ? rightFlatness : leftFlatness;
-    extrema.secondMinimum = mirrored ? -left : right;
+    extrema.secondMinimum = mirrored ? leftAt : rightAt;
     extrema.secondValue = mirrored ? leftValue : rightValue;
     extrema.secondFlatness = mirrored ? leftFlatness : rightFlatness;
     return extrema;
@@ -195,13 +241,16 @@ float torus_maximum(torus_Line line, torus_Extrema extrema, bool wanted, out flo
     TORUS_PRECISE float R = line.majorRadius;
     TORUS_PRECISE float u = clamp(extrema.axis, extrema.firstMinimum, extrema.secondMinimum);
     TORUS_PRECISE float enough = TORUS_EXTREMUM_STEP * line.minorRadius;
+    TORUS_PRECISE float flatness = -1.0;
     bool busy = wanted;
     for (int i = 0; i < TORUS_EXTREMUM_STEPS && busy; ++i) {
         TORUS_PRECISE float s = n * u + m;
         TORUS_PRECISE float square = max((s + m) * u + rho2, 1.0e-20);
         TORUS_PRECISE float rho = sqrt(square);
         TORUS_PRECISE float bend = line.length2 * rho * square - R * (n * square - s * s);
-        TORUS_PRECISE float step = (R * s - line.length2 * u * rho) * square / min(bend, -1.0e-20);
+        TORUS_PRECISE float perBend = 1.0 / min(bend, -1.0e-20);
+        TORUS_PRECISE float step = (R * s - line.length2 * u * rho) * square * perBend;
+        flatness = rho * square * perBend;
         TORUS_PRECISE float next = clamp(u + step, extrema.firstMinimum, extrema.secondMinimum);
         TORUS_PRECISE float change = next - u;
         busy = abs(change) > enough;
@@ -209,6 +258,10 @@ float torus_maximum(torus_Line line, torus_Extrema extrema, bool wanted, out flo
     }
     float slope;
     value = wanted ? torus_tube(line, u, slope) : 1.0;
+    busy = wanted && torus_doubtful(line, value, slope, flatness);
+    for (int i = 1; i <= TORUS_SETTLE_STEPS && busy; ++i) {
+        busy = torus_settle(line, flatness, i == TORUS_SETTLE_STEPS, u, value);
+    }
     return u;
 }
 
