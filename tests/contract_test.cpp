@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
 
 #include "device_fixture.hpp"
 #include "reference/rays.hpp"
@@ -21,13 +23,7 @@ using render::TraceRay;
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float largest = std::numeric_limits<float>::max();
-
-std::vector<float> trace(Query query, float majorRadius, float minorRadius,
-                         const std::vector<TraceRay>& rays) {
-    render::Tracer tracer(test::device(), query, rays.size());
-    const std::span<const float> values = tracer.trace(majorRadius, minorRadius, rays);
-    return {values.begin(), values.end()};
-}
+constexpr std::size_t cameraRayCount = 512;
 
 struct BadInput {
     std::string name;
@@ -66,17 +62,35 @@ std::vector<BadInput> badInputs() {
     return list;
 }
 
-using Contract = test::DeviceTest;
+// A tracer a question, kept: each makes a pipeline, which takes some drivers a third of a second.
+class Contract : public test::DeviceTest {
+protected:
+    std::vector<float> trace(Query query, float majorRadius, float minorRadius,
+                             const std::vector<TraceRay>& rays) {
+        std::optional<render::Tracer>& tracer = tracers.at(static_cast<std::size_t>(query));
+        if (!tracer) {
+            tracer.emplace(test::device(), query, cameraRayCount);
+        }
+        const std::span<const float> values = tracer->trace(majorRadius, minorRadius, rays);
+        return {values.begin(), values.end()};
+    }
+
+private:
+    std::array<std::optional<render::Tracer>, 3> tracers;
+};
 
 TEST_F(Contract, BadInputIsAMissWithEveryOutputWritten) {
+    const auto traceBad = [this](Query query, const BadInput& bad) {
+        // The unspoilt ray's answer lies where the bad one's belongs: what is not written is not as expected.
+        trace(query, 1.0F, 0.25F, {BadInput{}.ray});
+        return trace(query, bad.majorRadius, bad.minorRadius, {bad.ray});
+    };
     for (const BadInput& bad : badInputs()) {
-        const std::vector<float> nearest = trace(Query::Nearest, bad.majorRadius, bad.minorRadius, {bad.ray});
-        EXPECT_EQ(nearest, (std::vector<float>{0, 100, 0, 0, 0, 0, 0, 0})) << bad.name;
+        EXPECT_EQ(traceBad(Query::Nearest, bad), (std::vector<float>{0, 100, 0, 0, 0, 0, 0, 0})) << bad.name;
         std::vector<float> none(17, 0.0F);
         std::fill(none.begin() + 1, none.begin() + 5, 100.0F);
-        EXPECT_EQ(trace(Query::All, bad.majorRadius, bad.minorRadius, {bad.ray}), none) << bad.name;
-        EXPECT_EQ(trace(Query::Any, bad.majorRadius, bad.minorRadius, {bad.ray}), std::vector<float>{0})
-            << bad.name;
+        EXPECT_EQ(traceBad(Query::All, bad), none) << bad.name;
+        EXPECT_EQ(traceBad(Query::Any, bad), std::vector<float>{0}) << bad.name;
     }
     // The unspoilt ray hits: the misses above are not for another reason.
     EXPECT_EQ(trace(Query::Any, 1.0F, 0.25F, {BadInput{}.ray}), std::vector<float>{1});
@@ -100,7 +114,7 @@ TEST_F(Contract, TMaxMayBeInfiniteAndANanInItIsAMiss) {
 std::vector<TraceRay> cameraRays(float minorRadius) {
     reference::RayParameters parameters;
     parameters.torus = {1.0F, minorRadius};
-    std::vector<TraceRay> rays(512);
+    std::vector<TraceRay> rays(cameraRayCount);
     const auto generated = reference::generateRays(reference::RayClass::camera, parameters, rays.size());
     std::memcpy(rays.data(), generated.data(), rays.size() * sizeof(TraceRay));
     return rays;

@@ -11,6 +11,7 @@ raytorus_add_tests(gpu_tests
         hit_accuracy_test.cpp
         hit_judge.cpp
         known_rays_test.cpp
+        surface_probe.cpp
         surface_test.cpp
         torus_cxx.cpp
     LIBRARIES raytorus::render raytorus::reference raytorus_shaders raytorus_test_shaders glm::glm)

@@ -7,10 +7,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
-#include <random>
 
 #include "device_fixture.hpp"
+#include "fresh_seed.hpp"
 #include "hit_judge.hpp"
 
 namespace raytorus {
@@ -20,17 +19,6 @@ using reference::RayClass;
 
 // A position is the exact one, rounded: it is off the surface by no more than it is off the exact one.
 constexpr double maxOffSurface = test::positionBound;
-
-std::uint64_t freshSeed() {
-    static const std::uint64_t seed = [] {
-        const char* given = std::getenv("RAYTORUS_SEED");
-        const std::uint64_t value =
-            given != nullptr ? std::strtoull(given, nullptr, 10) : std::random_device()();
-        fmt::print("RAYTORUS_SEED={}\n", value);
-        return value;
-    }();
-    return seed;
-}
 
 class HitAccuracy : public test::DeviceTest, public testing::WithParamInterface<RayClass> {};
 
@@ -43,7 +31,7 @@ TEST_P(HitAccuracy, ClearRaysAreRight) {
             reference::RayParameters parameters;
             parameters.torus = {1.0F, minorRadius};
             parameters.distance = distance;
-            parameters.seed = freshSeed();
+            parameters.seed = test::freshSeed();
             const std::string name = fmt::format("{} r/R {} D/R {} seed {}", reference::nameOf(GetParam()),
                                                  minorRadius, distance, parameters.seed);
             const auto rays = reference::generateRays(GetParam(), parameters, raysPerCase);
@@ -87,7 +75,7 @@ TEST_F(Grazing, VerdictsAreNearlyAlwaysRight) {
             parameters.torus = {1.0F, minorRadius};
             parameters.distance = distance;
             parameters.margin = margin;
-            parameters.seed = freshSeed();
+            parameters.seed = test::freshSeed();
             const auto rays = reference::generateRays(RayClass::grazing, parameters, raysPerCase);
             const test::Judgement judgement = judge.judgeVerdicts(parameters.torus, rays, "grazing");
             all.judged += judgement.judged;

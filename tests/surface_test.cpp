@@ -6,59 +6,18 @@
 
 #include <array>
 #include <cmath>
-#include <cstring>
 
 #include "device_fixture.hpp"
-#include "gpu/commands.hpp"
-#include "gpu/pipeline.hpp"
-#include "raytorus_test_shaders.hpp"
 #include "reference/torus_reference.hpp"
+#include "surface_probe.hpp"
 
 namespace raytorus {
 namespace {
 
 using reference::QuadVec3;
-
-struct Point {
-    float majorRadius;
-    float minorRadius;
-    float point[3];
-    float uv[2];
-    float unused = 0.0F;
-};
-
-struct Answer {
-    float normal[3];
-    float uv[2];
-    float position[3];
-    float dPdu[3];
-    float dPdv[3];
-    float distance;
-    float implicit;
-    float unused[4];
-};
-
-std::vector<Answer> probe(const std::vector<Point>& points) {
-    const gpu::Buffer input =
-        gpu::makeBuffer(test::device(), std::span<const Point>(points), gpu::BufferUse::Storage);
-    const gpu::Buffer output(test::device(), points.size() * sizeof(Answer), gpu::BufferUse::ReadBack);
-    gpu::PipelineLayoutInfo info;
-    info.bindings = {{0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}, {1, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}};
-    info.pushConstantBytes = sizeof(std::uint32_t);
-    const gpu::ShaderModule shader(test::device(), test_shaders::find("probe.comp"), "probe.comp");
-    gpu::Pipeline pipeline = gpu::makeComputePipeline(test::device(), shader, info);
-    pipeline.bind(0, input);
-    pipeline.bind(1, output);
-    const auto count = static_cast<std::uint32_t>(points.size());
-    test::device().submit([&](VkCommandBuffer commands) {
-        pipeline.use(commands, std::as_bytes(std::span(&count, 1)));
-        vkCmdDispatch(commands, (count + 63) / 64, 1, 1);
-        gpu::bufferBarrier(commands, output, gpu::shaderWrite, gpu::hostRead);
-    });
-    std::vector<Answer> answers(points.size());
-    std::memcpy(answers.data(), output.data(), answers.size() * sizeof(Answer));
-    return answers;
-}
+using test::probe;
+using Point = test::SurfacePoint;
+using Answer = test::SurfaceAnswer;
 
 constexpr std::array radii = {0.01F, 0.1F, 0.25F, 0.5F, 0.9F, 1.0F, 1.5F};
 

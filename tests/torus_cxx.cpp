@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
-// All that the GLSL needs to be C++: GLM's names, `precise` gone (compile without contraction into fma), and
-// literals that are float (-fsingle-precision-constant).
+// All that the GLSL needs to be C++: GLM's names, `precise` gone (compile without contraction into fma),
+// literals that are float (-fsingle-precision-constant), and an abs that is GLSL's: GLM's takes -0 to -0.
 #include "torus_cxx.hpp"
 
+#include <cmath>
 #include <glm/glm.hpp>
 
 namespace torus_cxx {
 using namespace glm;
+inline float abs(float x) {
+    return std::fabs(x);
+}
 #define TORUS_PRECISE
 #include "torus_cxx/torus.glsl"
 }  // namespace torus_cxx
@@ -54,6 +58,25 @@ float cxxAny(float majorRadius, float minorRadius, const render::TraceRay& ray) 
                                     vec3(ray.direction), ray.tMax)
                ? 1.0F
                : 0.0F;
+}
+
+SurfaceAnswer cxxSurface(const SurfacePoint& point) {
+    const torus_cxx::Torus torus{point.majorRadius, point.minorRadius};
+    const glm::vec3 at = vec3(point.point);
+    SurfaceAnswer answer{};
+    store(answer.normal, torus_cxx::torusNormal(torus, at));
+    const glm::vec2 uv = torus_cxx::torusUv(torus, at);
+    answer.uv[0] = uv.x;
+    answer.uv[1] = uv.y;
+    store(answer.position, torus_cxx::torusPosition(torus, {point.uv[0], point.uv[1]}));
+    glm::vec3 dPdu(0.0F);
+    glm::vec3 dPdv(0.0F);
+    torus_cxx::torusTangents(torus, at, dPdu, dPdv);
+    store(answer.dPdu, dPdu);
+    store(answer.dPdv, dPdv);
+    answer.distance = torus_cxx::torusDistance(torus, at);
+    answer.implicit = torus_cxx::torusImplicit(torus, at);
+    return answer;
 }
 
 }  // namespace raytorus::test

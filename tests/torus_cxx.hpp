@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The library's own GLSL, compiled as C++ with GLM: the twin of trace.comp on the CPU.
+// The library's own GLSL, compiled as C++ with GLM: the twin of trace.comp and probe.comp on the CPU.
 #pragma once
 
 #include "render/tracer.hpp"
+#include "surface_probe.hpp"
 
 namespace raytorus::test {
 
 render::NearestHit cxxNearest(float majorRadius, float minorRadius, const render::TraceRay& ray);
 render::AllHits cxxAll(float majorRadius, float minorRadius, const render::TraceRay& ray);
 float cxxAny(float majorRadius, float minorRadius, const render::TraceRay& ray);
+SurfaceAnswer cxxSurface(const SurfacePoint& point);
 
 }  // namespace raytorus::test

@@ -79,7 +79,10 @@ TorusHit torus_hit(torus_Line line, float u, float tMin, float tMax, out float e
         sum + (torus_sumError(line.footT, uT, sum) + (line.footTLow + step * line.tPerU));
     TORUS_PRECISE float sumU = at + step;
     exactU = sumU;
-    return TorusHit(min(max(t, tMin), tMax), position);
+    // Not min and max: of two zeros of different sign they may return either.
+    t = t >= tMin ? t : tMin;
+    t = t <= tMax ? t : tMax;
+    return TorusHit(t, position);
 }
 
 // Private: what is written where there is no hit. Comparisons with NaN are false, and so give 0.

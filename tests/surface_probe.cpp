@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "surface_probe.hpp"
+
+#include <cstring>
+
+#include "device_fixture.hpp"
+#include "gpu/commands.hpp"
+#include "gpu/pipeline.hpp"
+#include "raytorus_test_shaders.hpp"
+
+namespace raytorus::test {
+
+std::vector<SurfaceAnswer> probe(const std::vector<SurfacePoint>& points) {
+    const gpu::Buffer input =
+        gpu::makeBuffer(device(), std::span<const SurfacePoint>(points), gpu::BufferUse::Storage);
+    const gpu::Buffer output(device(), points.size() * sizeof(SurfaceAnswer), gpu::BufferUse::ReadBack);
+    gpu::PipelineLayoutInfo info;
+    info.bindings = {{0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}, {1, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}};
+    info.pushConstantBytes = sizeof(std::uint32_t);
+    const gpu::ShaderModule shader(device(), test_shaders::find("probe.comp"), "probe.comp");
+    gpu::Pipeline pipeline = gpu::makeComputePipeline(device(), shader, info);
+    pipeline.bind(0, input);
+    pipeline.bind(1, output);
+    const auto count = static_cast<std::uint32_t>(points.size());
+    device().submit([&](VkCommandBuffer commands) {
+        pipeline.use(commands, std::as_bytes(std::span(&count, 1)));
+        vkCmdDispatch(commands, (count + 63) / 64, 1, 1);
+        gpu::bufferBarrier(commands, output, gpu::shaderWrite, gpu::hostRead);
+    });
+    std::vector<SurfaceAnswer> answers(points.size());
+    std::memcpy(answers.data(), output.data(), answers.size() * sizeof(SurfaceAnswer));
+    return answers;
+}
+
+}  // namespace raytorus::test
