@@ -60,7 +60,7 @@ bool torus_crossing(torus_Line line, torus_Spans spans, int index, bool wanted, 
 }
 
 // The first crossing in the interval: into the solid if the interval starts outside, else out of it.
-bool torus_firstCrossing(torus_Line line, out float u) {
+bool torus_firstCrossing(torus_Line line, out float u, out bool rising) {
     torus_Spans spans = torus_dips(torus_extrema(line));
     float slope;
     bool inside = torus_tube(line, line.lower, slope) < 0.0;
@@ -70,6 +70,7 @@ bool torus_firstCrossing(torus_Line line, out float u) {
     torus_split(line, inside || !firstAhead, spans);
     bool leavesFirst = spans.first && (!spans.second || (!spans.joined && line.lower < spans.middle));
     int index = inside ? (leavesFirst ? 1 : 3) : (firstAhead ? 0 : 2);
+    rising = inside;
     return torus_crossing(line, spans, index, inside || firstAhead || secondAhead, u);
 }
 

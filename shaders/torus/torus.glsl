@@ -49,10 +49,10 @@ struct TorusHit {
 #include "circle.glsl"
 #include "spans.glsl"
 
-// Private: a hit on the line near u. The nearer root of the parabola that has the tube function's exact value, slope and
-// curvature at u, kept apart from u, makes position and t right to the rounding of the result, tangents included. Far
-// away several hits can have one t; exactU tells them apart.
-TorusHit torus_hit(torus_Line line, float u, float tMin, float tMax, out float exactU) {
+// Private: the hit on the line near u, where the line leaves the solid if `rising`, else enters it. The root of the
+// parabola that has the tube function's exact value, slope and curvature at u, kept apart from u, makes position and t
+// right to the rounding of the result, tangents included. Far away several hits can have one t; exactU tells them apart.
+TorusHit torus_hit(torus_Line line, float u, bool rising, float tMin, float tMax, out float exactU) {
     torus_Point point;
     TORUS_PRECISE float at = u;
     TORUS_PRECISE float step = 0.0;
@@ -60,17 +60,24 @@ TorusHit torus_hit(torus_Line line, float u, float tMin, float tMax, out float e
     for (int i = 0; i < TORUS_LAST_STEPS && again; ++i) {
         at = at + step;
         point = torus_exactPoint(line, at);
-        TORUS_PRECISE float rest = point.halfSlope * point.halfSlope - point.halfCurvature * point.tube;
+        TORUS_PRECISE float slope = rising ? point.halfSlope : -point.halfSlope;
+        TORUS_PRECISE float rest = slope * slope - point.halfCurvature * point.tube;
         TORUS_PRECISE float root = sqrt(max(rest, 0.0));
-        TORUS_PRECISE float denominator = point.halfSlope < 0.0 ? point.halfSlope - root : point.halfSlope + root;
-        step = denominator != 0.0 ? -point.tube / denominator : 0.0;
+        // Of the parabola's roots the one where it has this crossing's slope, in the form that does not cancel. The
+        // second form crosses an extremum. Where there is no root, it leads to the extremum itself: the line just
+        // misses, and both hits of that tangent are where it comes closest.
+        bool direct = (slope >= 0.0 && rest >= 0.0) || point.halfCurvature == 0.0;
+        TORUS_PRECISE float numerator = direct ? -point.tube : root - slope;
+        TORUS_PRECISE float denominator = direct ? slope + root : point.halfCurvature;
+        step = denominator != 0.0 ? numerator / denominator : 0.0;
+        step = rising ? step : -step;
         // The slope is known to some 2^-24, and the step to as much over the slope: a long step along a flat
-        // crossing, as of a ray nearly along a thin tube, needs a second one. So does a step near the axis, where rho
+        // crossing, as of a ray nearly along a thin tube, needs another one. So does a step near the axis, where rho
         // turns sharply: at the tip of a horn.
-        TORUS_PRECISE float longStep = TORUS_LONG_STEP * abs(point.halfSlope);
+        TORUS_PRECISE float longStep = TORUS_LONG_STEP * abs(slope);
         TORUS_PRECISE float thirdOrder = point.sixthThird * step * step * step;
         TORUS_PRECISE float smallOrder = TORUS_THIRD_ORDER * root;
-        again = abs(step) > longStep || abs(thirdOrder) > smallOrder;
+        again = abs(step) > TORUS_LAST_STEP && (abs(step) > longStep || abs(thirdOrder) > smallOrder);
     }
     TORUS_PRECISE vec3 position = (point.high + (point.low + step * line.direction)) * line.unit;
     TORUS_PRECISE float uT = at * line.tPerU;
@@ -106,11 +113,12 @@ bool torusIntersect(Torus torus, vec3 origin, float tMin, vec3 direction, float 
         return false;
     }
     float u = 0.0;
-    if (!torus_firstCrossing(line, u)) {
+    bool rising = false;
+    if (!torus_firstCrossing(line, u, rising)) {
         return false;
     }
     float exactU;
-    TorusHit first = torus_hit(line, u, tMin, tMax, exactU);
+    TorusHit first = torus_hit(line, u, rising, tMin, tMax, exactU);
     // Only the far end is left to check: a hit that rounding puts before the start is the one at the start.
     if (!(exactU <= line.upper)) {
         return false;
@@ -150,8 +158,10 @@ int torusIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, floa
         float u = 0.0;
         bool exists = torus_crossing(line, spans, i, true, u);
         float exactU;
-        TorusHit hit = torus_hit(line, u, tMin, tMax, exactU);
+        TorusHit hit = torus_hit(line, u, i == 1 || i == 3, tMin, tMax, exactU);
         if (exists && exactU >= line.lower && exactU <= line.upper) {
+            // The hits of a tangent may be nearer to each other than their rounding.
+            hit.t = count > 0 && hit.t < hits[count - 1].t ? hits[count - 1].t : hit.t;
             hits[count] = hit;
             ++count;
         }
