@@ -33,7 +33,8 @@ void inParallel(unsigned threads, std::size_t count,
 // Whether a ray has one right answer; of a grazing one its ends alone decide, being nearly tangent is its
 // point.
 bool isClear(const Cell& cell, const Truth& truth, double endMargin) {
-    return (cell.isGrazing() || truth.clearance >= clearMargin) && truth.endClearance() >= endMargin;
+    return truth.clearance >= (cell.isGrazing() ? cell.margin : clearMargin) &&
+           truth.endClearance() >= endMargin;
 }
 
 }  // namespace
