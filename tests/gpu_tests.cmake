@@ -11,10 +11,12 @@ raytorus_add_tests(gpu_tests
         hit_accuracy_test.cpp
         hit_judge.cpp
         known_rays_test.cpp
+        loose_arithmetic.cpp
+        loose_arithmetic_test.cpp
         surface_probe.cpp
         surface_test.cpp
         torus_cxx.cpp
-    LIBRARIES raytorus::render raytorus::reference raytorus_shaders raytorus_test_shaders glm::glm)
+    LIBRARIES raytorus::render raytorus::verify raytorus_shaders raytorus_test_shaders glm::glm)
 
 # The library as C++, for cxx_twin_test.cpp: torus_cxx/*.glsl in the build folder, included by torus_cxx.cpp.
 find_package(glm CONFIG REQUIRED)
@@ -26,5 +28,5 @@ add_custom_command(OUTPUT "${torus_cxx}/torus.glsl"
             -P "${torus_cxx_script}"
     DEPENDS ${torus_glsl} "${torus_cxx_script}" VERBATIM COMMENT "Writing the library as C++")
 target_include_directories(gpu_tests PRIVATE "${CMAKE_CURRENT_BINARY_DIR}")
-set_source_files_properties(torus_cxx.cpp PROPERTIES
+set_source_files_properties(torus_cxx.cpp loose_arithmetic.cpp PROPERTIES
     OBJECT_DEPENDS "${torus_cxx}/torus.glsl" COMPILE_OPTIONS -fsingle-precision-constant)
