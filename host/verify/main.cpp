@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <optional>
 
 #include "cli/program.hpp"
 #include "cli/progress.hpp"
@@ -58,6 +59,11 @@ std::vector<std::string> listFaults(const VerifyOptions& options, const std::vec
 }
 
 ExitCode verifyAll(gpu::Context& context, Verifier& verifier, const VerifyOptions& options) {
+    // Before the work, which can be long, so that a name that cannot be written costs nothing.
+    std::optional<OutputFile> file;
+    if (!options.json.empty()) {
+        file.emplace(options.json);
+    }
     fmt::print("seed {}{}, {} rays a cell, {} ({})\n", options.seed, options.seedOfTheDay ? " (today)" : "",
                options.rays, context.info().name, context.info().driverInfo);
     std::fflush(stdout);
@@ -68,12 +74,11 @@ ExitCode verifyAll(gpu::Context& context, Verifier& verifier, const VerifyOption
     const std::vector<std::string> broken = listFaults(options, results);
     const auto rays = static_cast<double>(options.rays) * static_cast<double>(results.size());
     fmt::print("{:.3g} rays in {:.1f} s: {:.3g} million a minute\n", rays, seconds, 60e-6 * rays / seconds);
-    if (!options.json.empty()) {
+    if (file) {
         const Run run{options.method, options.seed,        options.rays,
                       seconds,        context.info().name, context.info().driverInfo};
-        OutputFile file(options.json);
-        file.write(resultsJson(run, results, broken));
-        file.commit();
+        file->write(resultsJson(run, results, broken));
+        file->commit();
     }
     fmt::print("{}\n", broken.empty() ? "every bar is held" : fmt::format("{} bar(s) broken", broken.size()));
     return broken.empty() ? ExitCode::Ok : ExitCode::ComparisonFailed;

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// raytorus-verify as users run it.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
+
+#include "core/error.hpp"
+#include "run_program.hpp"
+#include "scratch_folder.hpp"
+
+namespace raytorus::test {
+namespace {
+
+using nlohmann::json;
+
+class ProgramVerify : public testing::Test {
+protected:
+    [[nodiscard]] ProgramResult run(const std::vector<std::string>& arguments) const {
+        ProgramSettings settings;
+        settings.folder = folder;
+        return runProgram(RAYTORUS_VERIFY, arguments, settings);
+    }
+
+    void expectUsageError(const std::vector<std::string>& arguments, const std::string& sentence) const {
+        const ProgramResult result = run(arguments);
+        EXPECT_EQ(result.exitCode, static_cast<int>(ExitCode::Usage)) << testing::PrintToString(result);
+        EXPECT_EQ(result.out, "");
+        EXPECT_EQ(result.err, "raytorus-verify: " + sentence + "\n");
+    }
+
+    std::filesystem::path folder = scratchFolder();
+};
+
+TEST_F(ProgramVerify, HoldsEveryBarOnFreshRays) {
+    const ProgramResult result = run({"--rays", "50", "--validate"});
+    EXPECT_EQ(result.exitCode, 0) << testing::PrintToString(result);
+    EXPECT_EQ(result.err, "");
+    EXPECT_TRUE(result.out.starts_with("seed 20")) << result.out;
+    EXPECT_TRUE(result.out.ends_with("every bar is held\n")) << result.out;
+}
+
+TEST_F(ProgramVerify, PrintsARowForWhatItIsToldToKeepApart) {
+    const auto rows = [this](const std::string& key) {
+        const ProgramResult result = run({"--class", "camera,inside", "--radius", "0.1,1", "--distance",
+                                          "3,10,1000", "--rays", "100", "--seed", "4", "--rows", key});
+        EXPECT_EQ(result.exitCode, 0) << testing::PrintToString(result);
+        std::istringstream lines(result.out);
+        std::size_t count = 0;
+        for (std::string line; std::getline(lines, line);) {
+            count += line.starts_with("camera ") || line.starts_with("inside ") ? 1U : 0U;
+        }
+        return count;
+    };
+    EXPECT_EQ(rows("class"), 2U);
+    EXPECT_EQ(rows("radius"), 4U);
+    EXPECT_EQ(rows("distance"), 4U) << "inside has no distance";
+    EXPECT_EQ(rows("cell"), 8U);
+}
+
+TEST_F(ProgramVerify, WritesWhatItFoundAsJson) {
+    const ProgramResult result = run({"--class", "camera,grazing", "--radius", "0.25", "--rays", "300",
+                                      "--seed", "9", "--json", "found.json"});
+    EXPECT_EQ(result.exitCode, 0) << testing::PrintToString(result);
+    const json found = json::parse(fileText(folder / "found.json"));
+    EXPECT_EQ(found.at("seed"), 9);
+    EXPECT_EQ(found.at("method"), "raytorus");
+    EXPECT_TRUE(found.at("barsBroken").empty());
+    ASSERT_EQ(found.at("cells").size(), 7U + 8U);
+    for (const json& cell : found.at("cells")) {
+        EXPECT_EQ(cell.at("rays"), 300);
+        EXPECT_EQ(cell.at("faults").at("missed"), 0);
+        std::uint64_t counted = 0;
+        for (const json& bin : cell.at("position").at("histogram")) {
+            counted += bin.at(1).get<std::uint64_t>();
+        }
+        EXPECT_EQ(counted, cell.at("position").at("count"));
+        EXPECT_GT(counted, 0U);
+        EXPECT_GE(cell.at("position").at("max"), cell.at("position").at("p99"));
+    }
+}
+
+TEST_F(ProgramVerify, DrawsTheSameRaysForTheSameSeed) {
+    const auto worst = [this](const std::string& seed) {
+        EXPECT_EQ(
+            run({"--class", "camera", "--rays", "100", "--seed", seed, "--json", "found.json"}).exitCode, 0);
+        const json found = json::parse(fileText(folder / "found.json"));
+        return found.at("cells").at(0).at("t").at("worst").get<std::string>();
+    };
+    const std::string first = worst("31");
+    EXPECT_EQ(worst("31"), first);
+    EXPECT_NE(worst("32"), first);
+}
+
+TEST_F(ProgramVerify, SeesEveryKindOfFault) {
+    const ProgramResult result =
+        run({"--class", "camera", "--radius", "0.5", "--distance", "3", "--rays", "2000", "--seed", "1",
+             "--shaders", RAYTORUS_DEFECTIVE_SHADER_FOLDER, "--json", "found.json"});
+    EXPECT_EQ(result.exitCode, static_cast<int>(ExitCode::ComparisonFailed))
+        << testing::PrintToString(result);
+    EXPECT_NE(result.out.find("camera r/R 0.5 D/R 3: "), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find(" of 1"), std::string::npos) << result.out;
+    const json faults = json::parse(fileText(folder / "found.json")).at("cells").at(0).at("faults");
+    EXPECT_EQ(faults.size(), 7U);
+    for (const auto& [name, count] : faults.items()) {
+        EXPECT_GT(count, 10) << name;
+    }
+}
+
+TEST_F(ProgramVerify, ReplaysWhatItFaulted) {
+    const std::vector<std::string> defective{"--shaders", RAYTORUS_DEFECTIVE_SHADER_FOLDER};
+    const ProgramResult all = run({"--class", "camera", "--radius", "0.5", "--distance", "3", "--rays", "300",
+                                   defective[0], defective[1]});
+    const std::regex replay(R"re(  (\S+): raytorus-verify --replay "([^"]*)")re");
+    std::size_t replayed = 0;
+    for (std::sregex_iterator i(all.out.begin(), all.out.end(), replay), end; i != end; ++i, ++replayed) {
+        const ProgramResult one = run({"--replay", (*i)[2], defective[0], defective[1]});
+        EXPECT_EQ(one.exitCode, static_cast<int>(ExitCode::ComparisonFailed));
+        EXPECT_TRUE(one.out.ends_with("verdict: " + (*i)[1].str() + "\n")) << one.out;
+        const ProgramResult right = run({"--replay", (*i)[2]});
+        EXPECT_EQ(right.exitCode, 0) << right.out;
+        EXPECT_TRUE(right.out.ends_with("verdict: right\n")) << right.out;
+    }
+    EXPECT_EQ(replayed, 5U) << all.out;
+}
+
+TEST_F(ProgramVerify, ReplayShowsTruthAndAnswers) {
+    const ProgramResult result =
+        run({"--replay", "0x1p+0 0x1p-2  -0x1.8p+1 0x0p+0 0x0p+0 0x0p+0  0x1p+0 0x0p+0 0x0p+0 inf"});
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_NE(result.out.find("truth: 4 hit(s)\n  t 1.75 at (-1.25, 0, 0), entering\n"), std::string::npos)
+        << result.out;
+    EXPECT_NE(result.out.find("  t 1.75 at (-1.25, 0, 0); off by 0 (R + r), 0 ulp of t;"), std::string::npos)
+        << result.out;
+    EXPECT_NE(result.out.find("torusOccluded: yes\n"), std::string::npos);
+}
+
+TEST_F(ProgramVerify, ExplainsWrongArguments) {
+    expectUsageError(
+        {"--class", "cameras"},
+        "--class: there is no class \"cameras\" (there are camera inside hole equatorial axisParallel "
+        "throughAxis throughCentre leaving axisAligned nonUnit grazing segment)");
+    expectUsageError({"--rows", "rows"}, "--rows is class, radius, distance or cell, not \"rows\"");
+    expectUsageError({"--seed", "-1"}, "--seed is a whole number below 2^64, or today, not \"-1\"");
+    expectUsageError({"--radius", "0"}, "--radius is r/R from 1e-4 to 1e4, not 0");
+    expectUsageError({"--distance", "nan"}, "--distance is D/R from 1 to 1e12, not nan");
+    expectUsageError({"--replay", "1 0.25 0"},
+                     "--replay takes ten numbers: R r, origin, tMin, direction, tMax; not \"1 0.25 0\"");
+}
+
+TEST_F(ProgramVerify, RefusesAFileItCannotWriteBeforeTheWork) {
+    const ProgramResult result = run({"--json", "nowhere/found.json", "--rays", "1000000000"});
+    EXPECT_EQ(result.exitCode, static_cast<int>(ExitCode::File)) << testing::PrintToString(result);
+    EXPECT_NE(result.err.find("nowhere/found.json"), std::string::npos) << result.err;
+}
+
+TEST_F(ProgramVerify, HelpsWithExamplesThatWork) {
+    const ProgramResult help = run({"--help"});
+    EXPECT_EQ(help.exitCode, 0);
+    EXPECT_NE(help.out.find("Examples:\n"), std::string::npos);
+    EXPECT_NE(help.out.find("--replay \"0x1p+0"), std::string::npos);
+    EXPECT_EQ(run({"--version"}).out.substr(0, 16), "raytorus-verify ");
+}
+
+}  // namespace
+}  // namespace raytorus::test
