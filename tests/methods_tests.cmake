@@ -1,0 +1,5 @@
+# SPDX-License-Identifier: MIT
+# The methods that the library is compared with: each answers ordinary rays, through real SPIR-V.
+raytorus_add_tests(methods_tests
+    SOURCES device_fixture.cpp methods_test.cpp
+    LIBRARIES raytorus::methods raytorus::render raytorus::reference)
