@@ -22,6 +22,10 @@ std::span<const Method> methods() {
                shaders::find("trace.comp"), exact},
         Method{"newton-quartic", "monotone Newton on the convex and concave pieces of the reduced quartic",
                method_shaders::find("newton_quartic.comp"), exact},
+        Method{"minima-first", "signs at the closed-form minima of the reduced quartic, then Newton",
+               method_shaders::find("minima_first.comp"), exact},
+        Method{"closed-form", "the reduced quartic by its formula", method_shaders::find("closed_form.comp"),
+               exact},
         Method{"closed-form-naive", "the quartic of the ray in world space by its formula, in plain float32",
                method_shaders::find("closed_form_naive.comp"), 2e-3},
     };

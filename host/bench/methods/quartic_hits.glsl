@@ -2,15 +2,19 @@
 // From a method's rough roots to the three questions, the same for every method on the reduced quartic: the library's
 // reduction before, its exact last step after. The including file names the method by macros:
 //
-//     QUARTIC_INTERSECT, QUARTIC_OCCLUDED, QUARTIC_INTERSECT_ALL    the functions to define
-//     QUARTIC_STATE                     what the method knows of a line before it looks for a root
+//     QUARTIC_INTERSECT, QUARTIC_INTERSECT_ALL    the functions to define
+//     QUARTIC_OCCLUDED    the same, unless the method can answer without roots
+//     QUARTIC_STATE       what the method knows of a line before it looks for a root
 //     QUARTIC_STATE QUARTIC_PREPARE(torus_Line line)
 //     bool QUARTIC_ROOT(torus_Line line, QUARTIC_STATE state, int index, out float u)
-//                                       root 0 to 3 of the outer sheet on the whole line, ascending, if it exists
+//                         crossing 0 to 3 of the outer sheet on the whole line, ascending, if it exists: the even ones
+//                         lead into the solid, the odd ones out
+//     bool QUARTIC_FIRST(torus_Line line, QUARTIC_STATE state, bool inside, float from, out float u)
+//                         the first of them beyond `from` that leads out if `inside`, else in
 
 #include "reduced_quartic.glsl"
 
-// A rough root this near to an end of the ray, in r, may be moved past it by the last step.
+// Within this distance from an end of the ray, in r, the end's own side says better than a rough root what crosses.
 #define QUARTIC_ROOM 0.015625
 
 bool QUARTIC_INTERSECT(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out TorusHit hit) {
@@ -20,44 +24,41 @@ bool QUARTIC_INTERSECT(Torus torus, vec3 origin, float tMin, vec3 direction, flo
         return false;
     }
     QUARTIC_STATE state = QUARTIC_PREPARE(line);
+    float slope;
+    bool inside = torus_tube(line, line.lower, slope) < 0.0;
     TORUS_PRECISE float from = line.lower - QUARTIC_ROOM * line.minorRadius;
-    bool found = false;
-    for (int i = 0; i < 4 && !found; ++i) {
-        float u = 0.0;
-        if (QUARTIC_ROOT(line, state, i, u) && u >= from) {
-            float exactU;
-            TorusHit candidate = torus_hit(line, u, tMin, tMax, exactU);
-            found = exactU >= line.lower;
-            if (exactU > line.upper) {
-                return false;
-            }
-            if (found) {
-                hit = candidate;
-            }
-        }
+    float u = 0.0;
+    if (!QUARTIC_FIRST(line, state, inside, from, u)) {
+        return false;
     }
-    return found;
+    float exactU;
+    TorusHit first = torus_hit(line, u, tMin, tMax, exactU);
+    if (!(exactU <= line.upper)) {
+        return false;
+    }
+    hit = first;
+    return true;
 }
 
-// Without the last step, but where a rough root lies near an end of the ray.
+#ifdef QUARTIC_OCCLUDED
+// Ends on different sides, or the first crossing lies between.
 bool QUARTIC_OCCLUDED(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax) {
     torus_Line line;
     if (!torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line)) {
         return false;
     }
     QUARTIC_STATE state = QUARTIC_PREPARE(line);
+    float slope;
+    bool insideLower = torus_tube(line, line.lower, slope) < 0.0;
+    bool insideUpper = torus_tube(line, line.upper, slope) < 0.0;
     TORUS_PRECISE float room = QUARTIC_ROOM * line.minorRadius;
-    bool found = false;
-    for (int i = 0; i < 4 && !found; ++i) {
-        float u = 0.0;
-        bool exists = QUARTIC_ROOT(line, state, i, u);
-        if (exists && min(abs(u - line.lower), abs(u - line.upper)) <= room) {
-            torus_hit(line, u, tMin, tMax, u);
-        }
-        found = exists && u >= line.lower && u <= line.upper;
-    }
-    return found;
+    TORUS_PRECISE float from = line.lower - room;
+    TORUS_PRECISE float to = line.upper - room;
+    float u = 0.0;
+    bool crossed = QUARTIC_FIRST(line, state, insideLower, from, u) && u <= to;
+    return insideLower != insideUpper || crossed;
 }
+#endif
 
 int QUARTIC_INTERSECT_ALL(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out TorusHit hits[4]) {
     for (int i = 0; i < 4; ++i) {
