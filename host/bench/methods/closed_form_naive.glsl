@@ -96,17 +96,18 @@ int naiveRoots(Torus torus, vec3 origin, float tMin, vec3 d, float tMax, out flo
     if (n * n - m + reach * reach < 0.0) {
         return 0;
     }
-    float k = 0.5 * (m + R2 - torus.minorRadius * torus.minorRadius);
-    NaiveQuartic f = NaiveQuartic(4.0 * n, 4.0 * (n * n + k - R2 * dot(d.xy, d.xy)),
-                                  8.0 * (n * k - R2 * dot(origin.xy, d.xy)),
-                                  4.0 * (k * k - R2 * dot(origin.xy, origin.xy)));
+    // (|p|^2 - R^2 - r^2)^2 + 4 R^2 (z^2 - r^2): less cancels than in the form with rho.
+    float r2 = torus.minorRadius * torus.minorRadius;
+    float k = 0.5 * (m - R2 - r2);
+    NaiveQuartic f = NaiveQuartic(4.0 * n, 4.0 * (n * n + k + R2 * d.z * d.z), 8.0 * (n * k + R2 * origin.z * d.z),
+                                  4.0 * (k * k + R2 * (origin.z * origin.z - r2)));
     float roots[4];
     int rootCount = naiveQuartic(f, NAIVE_REVERSE * reach * reach * reach, roots);
     int count = 0;
     for (int i = 0; i < rootCount; ++i) {
         float t = roots[i];
         // On the outer sheet |p|^2 + R^2 - r^2 = 2 R rho is not negative.
-        if (t >= tMin && t <= tMax && t * (t + 2.0 * n) + 2.0 * k >= 0.0) {
+        if (t >= tMin && t <= tMax && t * (t + 2.0 * n) + m + R2 - r2 >= 0.0) {
             int at = count;
             for (; at > 0 && hits[at - 1] > t; --at) {
                 hits[at] = hits[at - 1];

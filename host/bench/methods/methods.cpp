@@ -28,6 +28,8 @@ std::span<const Method> methods() {
                exact},
         Method{"closed-form-naive", "the quartic of the ray in world space by its formula, in plain float32",
                method_shaders::find("closed_form_naive.comp"), 2e-3},
+        Method{"sphere-tracing", "marching along the distance to the surface, to 1e-4 r",
+               method_shaders::find("sphere_tracing.comp"), 1e-3},
     };
     return table;
 }
