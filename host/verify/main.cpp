@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "bench/methods/methods.hpp"
 #include "cli/program.hpp"
 #include "cli/progress.hpp"
 #include "core/file.hpp"
@@ -87,7 +88,12 @@ ExitCode verifyAll(gpu::Context& context, Verifier& verifier, const VerifyOption
 ExitCode run(const VerifyOptions& options) {
     ExitCode code = ExitCode::Ok;
     cli::withDevice(options.device, [&](gpu::Context& context) {
-        Verifier verifier(context, options.device.shaders(), options.threads);
+        // Changed shaders take the place of the library's own; the other methods are built in.
+        const bool own = options.method == methods().front().name;
+        const render::ShaderSource shaders =
+            own ? options.device.shaders()
+                : render::ShaderSource("trace.comp", findMethod(options.method)->module);
+        Verifier verifier(context, shaders, options.threads);
         if (options.replay) {
             const auto& [torus, ray] = *options.replay;
             const Verifier::Replay replay = verifier.replay(torus, ray);

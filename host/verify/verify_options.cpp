@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "bench/methods/methods.hpp"
 #include "core/error.hpp"
 
 namespace raytorus::verify {
@@ -24,12 +25,21 @@ Examples:
   raytorus-verify
   raytorus-verify --class camera,grazing --radius 0.001 --rows distance --rays 1000000
   raytorus-verify --seed 942361370 --json results.json
+  raytorus-verify --method closed-form-naive --class camera --rows distance
   raytorus-verify --replay "0x1p+0 0x1p-2  -0x1p+1 0x0p+0 0x0p+0 0x0p+0  0x1p+0 0x0p+0 0x0p+0 inf")";
 
 std::string classNames() {
     std::string names;
     for (const reference::RayClass rayClass : reference::allRayClasses) {
         names += fmt::format("{}{}", names.empty() ? "" : " ", reference::nameOf(rayClass));
+    }
+    return names;
+}
+
+std::string methodNames() {
+    std::string names;
+    for (const Method& method : methods()) {
+        names += fmt::format("{}{}", names.empty() ? "" : " ", method.name);
     }
     return names;
 }
@@ -112,6 +122,8 @@ std::optional<VerifyOptions> parseOptions(const std::vector<std::string>& argume
         ->option_text("N [today]");
     app.add_option("--rows", rows, "What the table keeps apart: class, radius, distance or cell (both)")
         ->option_text("KEY [radius]");
+    app.add_option("--method", options.method, "Who answers: " + methodNames())
+        ->option_text("NAME [raytorus]");
     app.add_option("--json", options.json, "Everything, histograms and worst rays too, into a file")
         ->option_text("FILE");
     app.add_option("--replay", replay,
@@ -135,6 +147,10 @@ std::optional<VerifyOptions> parseOptions(const std::vector<std::string>& argume
         options.cells.classes.push_back(parseClass(name));
     }
     requireSizes(options.cells);
+    if (findMethod(options.method) == nullptr) {
+        throw Error(ExitCode::Usage, fmt::format("--method: there is no method \"{}\" (there are {})",
+                                                 options.method, methodNames()));
+    }
     options.rows = rows.empty() ? Rows::Radius : parseRows(rows);
     options.seedOfTheDay = seed.empty() || seed == "today";
     options.seed = options.seedOfTheDay ? seedOfToday() : parseSeed(seed);

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// From a method's rough roots to the three questions, the same for every method on the reduced quartic: the library's
+// reduction before, its exact last step after. The including file names the method by macros:
+//
+//     QUARTIC_INTERSECT, QUARTIC_INTERSECT_ALL    the functions to define
+//     QUARTIC_OCCLUDED    the same, unless the method can answer without roots
+//     QUARTIC_STATE       what the method knows of a line before it looks for a root
+//     QUARTIC_STATE QUARTIC_PREPARE(torus_Line line)
+//     bool QUARTIC_ROOT(torus_Line line, QUARTIC_STATE state, int index, out float u)
+//                         crossing 0 to 3 of the outer sheet on the whole line, ascending, if it exists: the even ones
+//                         lead into the solid, the odd ones out
+//     bool QUARTIC_FIRST(torus_Line line, QUARTIC_STATE state, bool inside, float from, out float u)
+//                         the first of them beyond `from` that leads out if `inside`, else in
+
+#include "reduced_quartic.glsl"
+
+// Within this distance from an end of the ray, in r, the end's own side says better than a rough root what crosses.
+#define QUARTIC_ROOM 0.015625
+
+bool QUARTIC_INTERSECT(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out TorusHit hit) {
+    hit = torus_miss(tMax);
+    torus_Line line;
+    if (!torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line)) {
+        return false;
+    }
+    QUARTIC_STATE state = QUARTIC_PREPARE(line);
+    float slope;
+    bool inside = torus_tube(line, line.lower, slope) < 0.0;
+    TORUS_PRECISE float from = line.lower - QUARTIC_ROOM * line.minorRadius;
+    float u = 0.0;
+    if (!QUARTIC_FIRST(line, state, inside, from, u)) {
+        return false;
+    }
+    float exactU;
+    TorusHit first = torus_hit(line, u, inside, tMin, tMax, exactU);
+    if (!(exactU <= line.upper)) {
+        return false;
+    }
+    hit = first;
+    return true;
+}
+
+#ifdef QUARTIC_OCCLUDED
+// Ends on different sides, or the first crossing lies between.
+bool QUARTIC_OCCLUDED(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax) {
+    torus_Line line;
+    if (!torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line)) {
+        return false;
+    }
+    QUARTIC_STATE state = QUARTIC_PREPARE(line);
+    float slope;
+    bool insideLower = torus_tube(line, line.lower, slope) < 0.0;
+    bool insideUpper = torus_tube(line, line.upper, slope) < 0.0;
+    TORUS_PRECISE float room = QUARTIC_ROOM * line.minorRadius;
+    TORUS_PRECISE float from = line.lower - room;
+    TORUS_PRECISE float to = line.upper - room;
+    float u = 0.0;
+    bool crossed = QUARTIC_FIRST(line, state, insideLower, from, u) && u <= to;
+    return insideLower != insideUpper || crossed;
+}
+#endif
+
+int QUARTIC_INTERSECT_ALL(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out TorusHit hits[4]) {
+    for (int i = 0; i < 4; ++i) {
+        hits[i] = torus_miss(tMax);
+    }
+    torus_Line line;
+    if (!torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line)) {
+        return 0;
+    }
+    QUARTIC_STATE state = QUARTIC_PREPARE(line);
+    int count = 0;
+    for (int i = 0; i < 4; ++i) {
+        float u = 0.0;
+        if (QUARTIC_ROOT(line, state, i, u)) {
+            float exactU;
+            TorusHit hit = torus_hit(line, u, i % 2 == 1, tMin, tMax, exactU);
+            if (exactU >= line.lower && exactU <= line.upper) {
+                hits[count] = hit;
+                ++count;
+            }
+        }
+    }
+    return count;
+}

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+// Every method of the table answers rays whose hits are known by hand, keeps the library's contract for
+// misses and bad input, and agrees with itself. How often each is wrong elsewhere is measured, not tested.
+#include "bench/methods/methods.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <vector>
+
+#include "device_fixture.hpp"
+#include "reference/rays.hpp"
+#include "render/tracer.hpp"
+
+namespace raytorus {
+
+// For GoogleTest's messages.
+void PrintTo(const Method& method, std::ostream* out) {
+    *out << method.name;
+}
+
+namespace {
+
+using render::TraceRay;
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+template <typename Row>
+std::vector<Row> trace(const render::ShaderSource& source, render::Query query, const reference::Torus& torus,
+                       const std::vector<TraceRay>& rays) {
+    render::Tracer tracer(test::device(), query, rays.size(), source);
+    const std::span<const float> values = tracer.trace(torus.majorRadius, torus.minorRadius, rays);
+    std::vector<Row> rows(rays.size());
+    std::memcpy(rows.data(), values.data(), values.size_bytes());
+    return rows;
+}
+
+struct Answers {
+    std::vector<render::NearestHit> nearest;
+    std::vector<render::AllHits> all;
+    std::vector<float> any;
+};
+
+Answers ask(const render::ShaderSource& source, const reference::Torus& torus,
+            const std::vector<TraceRay>& rays) {
+    return {trace<render::NearestHit>(source, render::Query::Nearest, torus, rays),
+            trace<render::AllHits>(source, render::Query::All, torus, rays),
+            trace<float>(source, render::Query::Any, torus, rays)};
+}
+
+Answers ask(const Method& method, const reference::Torus& torus, const std::vector<TraceRay>& rays) {
+    return ask(render::ShaderSource("trace.comp", method.module), torus, rays);
+}
+
+struct Known {
+    const char* name;
+    TraceRay ray;
+    std::vector<double> t;
+};
+
+// R = 1, r = 0.25.
+constexpr reference::Torus ring{1.0F, 0.25F};
+const Known knownRays[] = {
+    {"in the plane z = 0, through all", {{3, 0, 0}, 0, {-1, 0, 0}, infinity}, {1.75, 2.25, 3.75, 4.25}},
+    {"the same in longer steps", {{3, 0, 0}, 0, {-4, 0, 0}, infinity}, {0.4375, 0.5625, 0.9375, 1.0625}},
+    {"above it, through the middles", {{3, 0, 0.15F}, 0, {-1, 0, 0}, infinity}, {1.8, 2.2, 3.8, 4.2}},
+    {"vertically through the tube", {{1, 0, 3}, 0, {0, 0, -1}, infinity}, {2.75, 3.25}},
+    {"vertically beside its middle", {{0, 1.2F, -2}, 0, {0, 0, 1}, infinity}, {1.85, 2.15}},
+    {"along the axis", {{0, 0, 3}, 0, {0, 0, -1}, infinity}, {}},
+    {"from inside outwards", {{1, 0, 0}, 0, {1, 0, 0}, infinity}, {0.25}},
+    {"from inside across the hole", {{1, 0, 0}, 0, {-1, 0, 0}, infinity}, {0.25, 1.75, 2.25}},
+    {"from the hole", {{0, 0, 0}, 0, {1, 0, 0}, infinity}, {0.75, 1.25}},
+    {"away", {{3, 0, 0}, 0, {1, 0, 0}, infinity}, {}},
+    {"past the bounding sphere", {{3, 0, 2}, 0, {-1, 0, 0}, infinity}, {}},
+    {"over the tube", {{3, 0, 0.3F}, 0, {-1, 0, 0}, infinity}, {}},
+    {"ending before", {{3, 0, 0}, 0, {-1, 0, 0}, 1.5F}, {}},
+    {"ending in the tube", {{3, 0, 0}, 0, {-1, 0, 0}, 2}, {1.75}},
+    {"beginning in the tube", {{3, 0, 0}, 2, {-1, 0, 0}, 4}, {2.25, 3.75}},
+};
+
+std::vector<TraceRay> raysOf(std::span<const Known> known) {
+    std::vector<TraceRay> rays;
+    for (const Known& row : known) {
+        rays.push_back(row.ray);
+    }
+    return rays;
+}
+
+class EachMethod : public test::DeviceTest, public testing::WithParamInterface<Method> {};
+
+TEST_P(EachMethod, HasAModuleAndIsFoundByItsName) {
+    EXPECT_FALSE(GetParam().module.empty());
+    const Method* found = findMethod(GetParam().name);
+    ASSERT_NE(found, nullptr);
+    EXPECT_STREQ(found->description, GetParam().description);
+}
+
+TEST_P(EachMethod, HitsWhereItMust) {
+    const Answers answers = ask(GetParam(), ring, raysOf(knownRays));
+    const double size = static_cast<double>(ring.majorRadius) + static_cast<double>(ring.minorRadius);
+    for (std::size_t i = 0; i < std::size(knownRays); ++i) {
+        SCOPED_TRACE(knownRays[i].name);
+        const TraceRay& ray = knownRays[i].ray;
+        const std::vector<double>& t = knownRays[i].t;
+        EXPECT_EQ(answers.nearest[i].hit != 0.0F, !t.empty());
+        EXPECT_EQ(answers.any[i] != 0.0F, !t.empty());
+        ASSERT_EQ(answers.all[i].count, static_cast<float>(t.size()));
+        const double speed =
+            std::hypot(static_cast<double>(ray.direction[0]), static_cast<double>(ray.direction[1]),
+                       static_cast<double>(ray.direction[2]));
+        const double tolerance = GetParam().tolerance * size;
+        for (std::size_t k = 0; k < t.size(); ++k) {
+            EXPECT_NEAR(static_cast<double>(answers.all[i].t[k]), t[k], tolerance / speed) << k;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const double exact =
+                    static_cast<double>(ray.origin[axis]) + t[k] * static_cast<double>(ray.direction[axis]);
+                EXPECT_NEAR(static_cast<double>(answers.all[i].position[k][axis]), exact, tolerance) << k;
+            }
+        }
+    }
+}
+
+TEST_P(EachMethod, NearestIsTheFirstOfAll) {
+    const Answers answers = ask(GetParam(), ring, raysOf(knownRays));
+    for (std::size_t i = 0; i < std::size(knownRays); ++i) {
+        EXPECT_EQ(answers.nearest[i].t, answers.all[i].t[0]) << knownRays[i].name;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            EXPECT_EQ(answers.nearest[i].position[axis], answers.all[i].position[0][axis])
+                << knownRays[i].name;
+        }
+    }
+}
+
+TEST_P(EachMethod, SeesTheOuterSheetOfASpindleOnly) {
+    const std::vector<TraceRay> rays = {{{0.1F, 0, 3}, 0, {0, 0, -1}, infinity},
+                                        {{0.1F, 0, 0}, 0, {0, 0, 1}, infinity},
+                                        {{4, 0, 0.5F}, 0, {-1, 0, 0}, infinity}};
+    const Answers answers = ask(GetParam(), {1.0F, 1.25F}, rays);
+    EXPECT_EQ(answers.all[0].count, 2.0F);
+    EXPECT_EQ(answers.all[1].count, 1.0F);
+    EXPECT_EQ(answers.all[2].count, 2.0F);
+    EXPECT_NEAR(static_cast<double>(answers.nearest[0].t), 3 - std::sqrt(1.5625 - 0.81),
+                2.25 * GetParam().tolerance);
+}
+
+TEST_P(EachMethod, MissesWithTheContractsOutputs) {
+    struct Bad {
+        reference::Torus torus;
+        TraceRay ray;
+        float t;
+    };
+    const TraceRay good{{3, 0, 0}, 0, {-1, 0, 0}, 100};
+    const Bad rows[] = {
+        {ring, {{3, 0, 2}, 0, {-1, 0, 0}, 100}, 100},
+        {ring, {{0, 0, 3}, 0, {0, 0, -1}, infinity}, infinity},
+        {{1, 0}, good, 100},
+        {{1, -0.25F}, good, 100},
+        {{-1, 0.25F}, good, 100},
+        {{nan, 0.25F}, good, 100},
+        {{1, nan}, good, 100},
+        {{infinity, 0.25F}, good, 100},
+        {ring, {{3, 0, 0}, 0, {0, 0, 0}, 100}, 100},
+        {ring, {{3, 0, 0}, 0, {nan, 0, 0}, 100}, 100},
+        {ring, {{3, 0, 0}, 0, {-infinity, 0, 0}, 100}, 100},
+        {ring, {{nan, 0, 0}, 0, {-1, 0, 0}, 100}, 100},
+        {ring, {{infinity, 0, 0}, 0, {-1, 0, 0}, 100}, 100},
+        {ring, {{3, 0, 0}, 5, {-1, 0, 0}, 1}, 1},
+        {ring, {{3, 0, 0}, 0, {-1, 0, 0}, nan}, 0},
+    };
+    for (std::size_t i = 0; i < std::size(rows); ++i) {
+        SCOPED_TRACE(i);
+        const Answers answers = ask(GetParam(), rows[i].torus, {rows[i].ray});
+        EXPECT_EQ(answers.any[0], 0.0F);
+        EXPECT_EQ(answers.nearest[0].hit, 0.0F);
+        EXPECT_EQ(answers.nearest[0].t, rows[i].t);
+        EXPECT_EQ(answers.all[0].count, 0.0F);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            EXPECT_EQ(answers.nearest[0].position[axis], 0.0F);
+        }
+        for (const float t : answers.all[0].t) {
+            EXPECT_EQ(t, rows[i].t);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, EachMethod, testing::ValuesIn(methods().begin(), methods().end()),
+                         [](const auto& row) {
+                             std::string name = row.param.name;
+                             std::erase(name, '-');
+                             return name;
+                         });
+
+TEST(Methods, TheFirstIsTheLibrary) {
+    ASSERT_FALSE(methods().empty());
+    EXPECT_STREQ(methods().front().name, "raytorus");
+    EXPECT_EQ(findMethod("no such method"), nullptr);
+}
+
+using Production = test::DeviceTest;
+
+TEST_F(Production, EqualsTorusGlslBitForBit) {
+    reference::RayParameters parameters;
+    std::vector<TraceRay> rays;
+    for (const reference::RayClass rayClass : reference::allRayClasses) {
+        for (const reference::Ray& ray : reference::generateRays(rayClass, parameters, 100)) {
+            TraceRay row{};
+            static_assert(sizeof(row) == sizeof(ray));
+            std::memcpy(&row, &ray, sizeof(row));
+            rays.push_back(row);
+        }
+    }
+    const Answers builtIn = ask(render::ShaderSource(), parameters.torus, rays);
+    const Answers row = ask(methods().front(), parameters.torus, rays);
+    EXPECT_EQ(
+        std::memcmp(builtIn.nearest.data(), row.nearest.data(), rays.size() * sizeof(render::NearestHit)), 0);
+    EXPECT_EQ(std::memcmp(builtIn.all.data(), row.all.data(), rays.size() * sizeof(render::AllHits)), 0);
+    EXPECT_EQ(builtIn.any, row.any);
+}
+
+}  // namespace
+}  // namespace raytorus
