@@ -4,8 +4,9 @@
 //
 // The extrema solve 4 u^3 + 2 p u + q = 0. With u = 2 w c, w = sqrt(-p / 6) the inflection, that is
 // 4 c^3 - 3 c = x, x = -q / (8 w^3): for |x| < 1 two minima, which thirdCosine gives, and a maximum, minus their sum. Else
-// there is one minimum, by Newton from above: u + p / 6 u of Cardano's cube root without its inner root where p < 0, the
-// lesser of both asymptotes where p >= 0.
+// there is one minimum, by Newton from above, which is monotone there. It starts at v - p / (6 v), v^3 = |q| / 4, where
+// p < 0: that is Cardano's solution with the square root in it replaced by its bound, off by 3 % at most. Where p >= 0
+// it starts at the lesser of v and |q| / 2 p.
 // f = G (2 A - G) / dd^2, A = dd (u^2 + k), has the sign of G where it dips, and G rounds to r where f rounds to R. Near
 // zero, G is taken exactly, at the bottom of its own parabola.
 //
@@ -39,7 +40,7 @@ struct MinimaFirst {
     bool joined;          // one dip: there is one minimum, or the maximum lies inside the solid too
 };
 
-// The only real root of u^3 + p u + q.
+// The only real root of u^3 + p u + q. The rough cube root may be 4 % low, and has to be an upper bound.
 float minimaFirstCubic(float p, float q, float enough, bool wanted) {
     TORUS_PRECISE float size = max(abs(q), 1.0e-30);
     TORUS_PRECISE float root = 1.05 * cubeRootRough(size);
