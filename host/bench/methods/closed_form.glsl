@@ -12,11 +12,11 @@
 //   - epsilon = (gamma - D)(gamma + D), D = 2 delta^(3/2), cancels less than the difference of the squares;
 //   - zeta takes the sign that adds; zeta = 0 only where gamma and delta are 0, and y with them;
 //   - S^2 is the largest root of the resolvent cubic, so the quadratics pair the two lower and the two upper roots;
+//   - one Newton step on the resolvent cubic itself mends S^2;
 //   - 16 c z / S is 0 / 0 in the planes of symmetry; its square is 4 ((2 alpha + S^2)^2 - 4 beta), which for beta < 0
 //     does not cancel. For beta > 0 and S = 0 there are no roots.
-// What it loses: verdicts where a discriminant is smaller than the rounding of alpha^2, which a thin tube's all are, since
-// gamma, delta and epsilon raise the coefficients to the sixth power before they cancel. And along the axis of a spindle,
-// where both sheets' roots are one, it counts both.
+// What it loses: verdicts where a discriminant is smaller than the rounding of alpha^2, as many are in a tube of 0.001 R.
+// And along the axis of a spindle, where both sheets' roots are one, it counts both.
 #ifndef CLOSED_FORM_GLSL
 #define CLOSED_FORM_GLSL
 
@@ -48,13 +48,24 @@ float closedFormResolvent(float gamma, float delta) {
     return y;
 }
 
+// One step of Newton's method on the resolvent cubic itself, x^3 + 2 p x^2 + (p^2 - 4 s) x - q^2, takes back most of what
+// the sixth powers of the formula have lost.
+float closedFormPolish(ReducedQuartic f, float x) {
+    TORUS_PRECISE float linear = f.p * f.p - 4.0 * f.s;
+    TORUS_PRECISE float value = ((x + 2.0 * f.p) * x + linear) * x - f.q * f.q;
+    TORUS_PRECISE float slope = (3.0 * x + 4.0 * f.p) * x + linear;
+    TORUS_PRECISE float polished = slope > 0.0 ? x - value / slope : x;
+    return max(polished, 0.0);
+}
+
 ClosedForm closedFormPrepare(torus_Line line) {
     ReducedQuartic f = reducedQuartic(line);
     // p = 2 alpha, q = 8 c z, s = beta
     TORUS_PRECISE float gamma = 2.0 * f.p * (f.p * f.p - 36.0 * f.s) + 27.0 * f.q * f.q;
     TORUS_PRECISE float delta = f.p * f.p + 12.0 * f.s;
     float y = closedFormResolvent(gamma, delta);
-    TORUS_PRECISE float square = max(y - (2.0 / 3.0) * f.p, 0.0);
+    TORUS_PRECISE float formula = y - (2.0 / 3.0) * f.p;
+    float square = closedFormPolish(f, formula);
     TORUS_PRECISE float S = sqrt(square);
     TORUS_PRECISE float sum = f.p + square;
     TORUS_PRECISE float ratio = 0.0;

@@ -14,8 +14,8 @@
 //     3  out of   from reach leftwards, in the right piece
 //
 // Where p >= 0, f is convex as a whole, and only 0 and 3 are left.
-// What it loses: a dip or a gap shallower than the rounding of the quartic, some 1e-6 R^4, which in a thin tube is many
-// times 1e-3 r.
+// What it loses: a dip or a gap shallower than the rounding of the quartic, some 1e-7 R^4. From r/R = 0.1 on that is less
+// than 1e-4 r; in a tube of 0.001 R it is more than 1e-3 r, and 0.6 % of the clear rays go wrong.
 #ifndef NEWTON_QUARTIC_GLSL
 #define NEWTON_QUARTIC_GLSL
 

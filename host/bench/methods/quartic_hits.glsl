@@ -17,6 +17,12 @@
 // Within this distance from an end of the ray, in r, the end's own side says better than a rough root what crosses.
 #define QUARTIC_ROOM 0.015625
 
+// Where a rough root has to lie to be ahead: anywhere if the ray enters through the bounding sphere.
+float quarticFrom(torus_Line line) {
+    TORUS_PRECISE float from = line.lower - QUARTIC_ROOM * line.minorRadius;
+    return line.lower > -line.halfChord ? from : -TORUS_FLOAT_MAX;
+}
+
 bool QUARTIC_INTERSECT(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out TorusHit hit) {
     hit = torus_miss(tMax);
     torus_Line line;
@@ -26,7 +32,7 @@ bool QUARTIC_INTERSECT(Torus torus, vec3 origin, float tMin, vec3 direction, flo
     QUARTIC_STATE state = QUARTIC_PREPARE(line);
     float slope;
     bool inside = torus_tube(line, line.lower, slope) < 0.0;
-    TORUS_PRECISE float from = line.lower - QUARTIC_ROOM * line.minorRadius;
+    float from = quarticFrom(line);
     float u = 0.0;
     if (!QUARTIC_FIRST(line, state, inside, from, u)) {
         return false;
@@ -52,7 +58,7 @@ bool QUARTIC_OCCLUDED(Torus torus, vec3 origin, float tMin, vec3 direction, floa
     bool insideLower = torus_tube(line, line.lower, slope) < 0.0;
     bool insideUpper = torus_tube(line, line.upper, slope) < 0.0;
     TORUS_PRECISE float room = QUARTIC_ROOM * line.minorRadius;
-    TORUS_PRECISE float from = line.lower - room;
+    float from = quarticFrom(line);
     TORUS_PRECISE float to = line.upper - room;
     float u = 0.0;
     bool crossed = QUARTIC_FIRST(line, state, insideLower, from, u) && u <= to;
