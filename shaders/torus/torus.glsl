@@ -62,8 +62,12 @@ TorusHit torus_hit(torus_Line line, float u, float tMin, float tMax, out float e
         point = torus_exactPoint(line, at);
         TORUS_PRECISE float rest = point.halfSlope * point.halfSlope - point.halfCurvature * point.tube;
         TORUS_PRECISE float root = sqrt(max(rest, 0.0));
-        TORUS_PRECISE float denominator = point.halfSlope < 0.0 ? point.halfSlope - root : point.halfSlope + root;
-        step = denominator != 0.0 ? -point.tube / denominator : 0.0;
+        // Where rounding leaves the parabola no root, the line touches: at its extremum.
+        bool touches = rest <= 0.0;
+        TORUS_PRECISE float outer = point.halfSlope < 0.0 ? point.halfSlope - root : point.halfSlope + root;
+        float numerator = touches ? point.halfSlope : point.tube;
+        float denominator = touches ? point.halfCurvature : outer;
+        step = denominator != 0.0 ? -numerator / denominator : 0.0;
         // The slope is known to some 2^-24, and the step to as much over the slope: a long step along a flat
         // crossing, as of a ray nearly along a thin tube, needs a second one. So does a step near the axis, where rho
         // turns sharply: at the tip of a horn.
@@ -143,13 +147,15 @@ int torusIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, floa
     torus_Spans spans = torus_dips(torus_extrema(line));
     torus_split(line, true, spans);
     int count = 0;
+    float from = tMin;  // where a line touches, rounding must not swap the pair
     for (int i = 0; i < 4; ++i) {
         float u = 0.0;
         bool exists = torus_crossing(line, spans, i, true, u);
         float exactU;
-        TorusHit hit = torus_hit(line, u, tMin, tMax, exactU);
+        TorusHit hit = torus_hit(line, u, from, tMax, exactU);
         if (exists && exactU >= line.lower && exactU <= line.upper) {
             hits[count] = hit;
+            from = hit.t;
             ++count;
         }
     }

@@ -47,6 +47,8 @@
 // Nearer to the axis than this, in units, the direction of rho is lost in rounding: its slope, which jumps there, fades
 // to 0 instead of becoming anything.
 #define TORUS_AXIS 1.0e-6
+// The same for a point that is known exactly, to some 2^-40.
+#define TORUS_EXACT_AXIS 1.0e-12
 
 // G and half its slope at u, evaluated from the point itself: (rho - R - r)(rho - R + r) + z^2 rounds to some 2^-24 of
 // r (R + r) near the surface, where the polynomial would round to 2^-24 (R + r)^2 and lose a thin tube.
@@ -86,7 +88,7 @@ torus_Point torus_exactPoint(torus_Line line, float u) {
     float z = point.high.z;
     // rho = root + rootLow: one Newton step on the exact residual of the rounded root.
     TORUS_PRECISE float root = sqrt(x * x + y * y);
-    TORUS_PRECISE float perRoot = 1.0 / max(root, TORUS_AXIS);
+    TORUS_PRECISE float perRoot = 1.0 / max(root, TORUS_EXACT_AXIS);
     TORUS_PRECISE float residual = torus_squareDifference(x, y, root) + 2.0 * (x * allLow.x + y * allLow.y);
     TORUS_PRECISE float rootLow = 0.5 * residual * perRoot;
     TORUS_PRECISE float q = root - line.majorRadius;
@@ -236,16 +238,17 @@ torus_Extrema torus_extrema(torus_Line line) {
 // The maximum of G between its two minima: Newton from c, monotone. Costs nothing unless `wanted`.
 float torus_maximum(torus_Line line, torus_Extrema extrema, bool wanted, out float value) {
     TORUS_PRECISE float n = line.direction.x * line.direction.x + line.direction.y * line.direction.y;
-    TORUS_PRECISE float m = line.foot.x * line.direction.x + line.foot.y * line.direction.y;
-    TORUS_PRECISE float rho2 = line.foot.x * line.foot.x + line.foot.y * line.foot.y;
     TORUS_PRECISE float R = line.majorRadius;
     TORUS_PRECISE float u = clamp(extrema.axis, extrema.firstMinimum, extrema.secondMinimum);
     TORUS_PRECISE float enough = TORUS_EXTREMUM_STEP * line.minorRadius;
     TORUS_PRECISE float flatness = -1.0;
     bool busy = wanted;
     for (int i = 0; i < TORUS_EXTREMUM_STEPS && busy; ++i) {
-        TORUS_PRECISE float s = n * u + m;
-        TORUS_PRECISE float square = max((s + m) * u + rho2, 1.0e-20);
+        // From the point, not from the polynomial rho^2: near the axis that is all rounding.
+        TORUS_PRECISE float x = line.foot.x + u * line.direction.x;
+        TORUS_PRECISE float y = line.foot.y + u * line.direction.y;
+        TORUS_PRECISE float s = x * line.direction.x + y * line.direction.y;
+        TORUS_PRECISE float square = max(x * x + y * y, 1.0e-20);
         TORUS_PRECISE float rho = sqrt(square);
         TORUS_PRECISE float bend = line.length2 * rho * square - R * (n * square - s * s);
         TORUS_PRECISE float perBend = 1.0 / min(bend, -1.0e-20);
@@ -284,8 +287,11 @@ float torus_root(torus_Line line, float lower, float upper, bool rising, float s
         bool trusted = next >= lo && next <= hi;
         next = trusted ? next : 0.5 * (lo + hi);
         TORUS_PRECISE float change = next - u;
-        busy = abs(change) > enough && abs(value) > noise;
-        u = next;
+        bool longStep = abs(change) > enough;
+        bool quiet = abs(value) <= noise;
+        busy = longStep && !quiet;
+        // Where G is but its rounding, a long step goes anywhere.
+        u = longStep && quiet ? u : next;
     }
     return u;
 }
