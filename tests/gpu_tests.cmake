@@ -10,6 +10,7 @@ raytorus_add_tests(gpu_tests
         device_test.cpp
         hit_accuracy_test.cpp
         hit_judge.cpp
+        hit_match.cpp
         known_rays_test.cpp
         surface_test.cpp
         torus_cxx.cpp
