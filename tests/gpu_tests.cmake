@@ -12,6 +12,7 @@ raytorus_add_tests(gpu_tests
         hit_judge.cpp
         hit_match.cpp
         known_rays_test.cpp
+        quartic_rays_test.cpp
         surface_test.cpp
         torus_cxx.cpp
     LIBRARIES raytorus::render raytorus::reference raytorus_shaders raytorus_test_shaders glm::glm)
