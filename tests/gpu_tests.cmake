@@ -13,6 +13,8 @@ raytorus_add_tests(gpu_tests
         hit_match.cpp
         known_rays_test.cpp
         quartic_rays_test.cpp
+        special_lines_test.cpp
+        stress_rays_test.cpp
         surface_test.cpp
         torus_cxx.cpp
     LIBRARIES raytorus::render raytorus::reference raytorus_shaders raytorus_test_shaders glm::glm)
