@@ -8,6 +8,7 @@ raytorus_add_tests(gpu_tests
         cxx_twin_test.cpp
         device_fixture.cpp
         device_test.cpp
+        extreme_ranges_test.cpp
         hit_accuracy_test.cpp
         hit_judge.cpp
         hit_match.cpp
