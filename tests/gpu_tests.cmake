@@ -6,6 +6,7 @@ raytorus_add_tests(gpu_tests
     SOURCES
         contract_test.cpp
         cxx_twin_test.cpp
+        denormal_test.cpp
         device_fixture.cpp
         device_test.cpp
         extreme_ranges_test.cpp
