@@ -6,13 +6,19 @@ raytorus_add_tests(gpu_tests
     SOURCES
         contract_test.cpp
         cxx_twin_test.cpp
+        denormal_test.cpp
         device_fixture.cpp
         device_test.cpp
+        extreme_ranges_test.cpp
         hit_accuracy_test.cpp
         hit_judge.cpp
+        hit_match.cpp
         known_rays_test.cpp
         loose_arithmetic.cpp
         loose_arithmetic_test.cpp
+        quartic_rays_test.cpp
+        special_lines_test.cpp
+        stress_rays_test.cpp
         surface_probe.cpp
         surface_test.cpp
         torus_cxx.cpp

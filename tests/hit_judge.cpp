@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "device_fixture.hpp"
+#include "hit_match.hpp"
 #include "reference/torus_reference.hpp"
 
 namespace raytorus::test {
@@ -157,6 +158,18 @@ Judgement HitJudge::judgeVerdicts(const reference::Torus& torus, const std::vect
                  torus, rays[i]);
     }
     return judgement;
+}
+
+std::vector<std::string> HitJudge::mismatches(const reference::Torus& torus,
+                                              const std::vector<reference::Ray>& rays) {
+    const Answers answers = ask(torus, rays);
+    std::vector<std::string> faults(rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const std::string fault =
+            mismatch(torus, rays[i], {answers.nearest[i], answers.all[i], answers.any[i]});
+        faults[i] = fault.empty() ? "" : fault + "\n  " + reference::hexFloats(torus, rays[i]);
+    }
+    return faults;
 }
 
 }  // namespace raytorus::test

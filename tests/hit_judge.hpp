@@ -60,6 +60,10 @@ public:
     Judgement judgeVerdicts(const reference::Torus& torus, const std::vector<reference::Ray>& rays,
                             const std::string& name);
 
+    /// Of each ray, however near to a tangent, what is wrong with its answers: see mismatch.
+    std::vector<std::string> mismatches(const reference::Torus& torus,
+                                        const std::vector<reference::Ray>& rays);
+
 private:
     struct Answers;
     Answers ask(const reference::Torus& torus, const std::vector<reference::Ray>& rays);

@@ -154,15 +154,15 @@ int torusIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, floa
     torus_Spans spans = torus_dips(torus_extrema(line));
     torus_split(line, true, spans);
     int count = 0;
+    float from = tMin;  // where a line touches, rounding must not swap the pair
     for (int i = 0; i < 4; ++i) {
         float u = 0.0;
         bool exists = torus_crossing(line, spans, i, true, u);
         float exactU;
-        TorusHit hit = torus_hit(line, u, i == 1 || i == 3, tMin, tMax, exactU);
+        TorusHit hit = torus_hit(line, u, i == 1 || i == 3, from, tMax, exactU);
         if (exists && exactU >= line.lower && exactU <= line.upper) {
-            // The hits of a tangent may be nearer to each other than their rounding.
-            hit.t = count > 0 && hit.t < hits[count - 1].t ? hits[count - 1].t : hit.t;
             hits[count] = hit;
+            from = hit.t;
             ++count;
         }
     }

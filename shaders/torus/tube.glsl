@@ -49,6 +49,8 @@
 // Nearer to the axis than this, in units, the direction of rho is lost in rounding: its slope, which jumps there, fades
 // to 0 instead of becoming anything.
 #define TORUS_AXIS 1.0e-6
+// The same for a point that is known exactly, to some 2^-40.
+#define TORUS_EXACT_AXIS 1.0e-12
 
 // G and half its slope at u, evaluated from the point itself: (rho - R - r)(rho - R + r) + z^2 rounds to some 2^-24 of
 // r (R + r) near the surface, where the polynomial would round to 2^-24 (R + r)^2 and lose a thin tube.
@@ -88,7 +90,7 @@ torus_Point torus_exactPoint(torus_Line line, float u) {
     float z = point.high.z;
     // rho = root + rootLow: one Newton step on the exact residual of the rounded root.
     TORUS_PRECISE float root = sqrt(x * x + y * y);
-    TORUS_PRECISE float perRoot = 1.0 / max(root, TORUS_AXIS);
+    TORUS_PRECISE float perRoot = 1.0 / max(root, TORUS_EXACT_AXIS);
     TORUS_PRECISE float residual = torus_squareDifference(x, y, root) + 2.0 * (x * allLow.x + y * allLow.y);
     TORUS_PRECISE float rootLow = 0.5 * residual * perRoot;
     TORUS_PRECISE float q = root - line.majorRadius;
@@ -100,8 +102,9 @@ torus_Point torus_exactPoint(torus_Line line, float u) {
     TORUS_PRECISE float rootSlope = along * perRoot;
     TORUS_PRECISE float halfSlope = (along + z * line.direction.z) - line.majorRadius * rootSlope;
     point.halfSlope = halfSlope;
-    TORUS_PRECISE float n = line.direction.x * line.direction.x + line.direction.y * line.direction.y;
-    TORUS_PRECISE float bend = line.majorRadius * ((n - rootSlope * rootSlope) * perRoot);
+    // n - rho'^2 by Lagrange's identity, which keeps its digits near the axis, where the difference is all rounding.
+    TORUS_PRECISE float acrossSlope = (x * line.direction.y - y * line.direction.x) * perRoot;
+    TORUS_PRECISE float bend = line.majorRadius * ((acrossSlope * acrossSlope) * perRoot);
     TORUS_PRECISE float halfCurvature = line.length2 - bend;
     point.halfCurvature = halfCurvature;
     TORUS_PRECISE float sixthThird = bend * rootSlope * perRoot;
@@ -155,6 +158,9 @@ torus_Extrema torus_extrema(torus_Line line) {
     TORUS_PRECISE float mirror = m > 0.0 ? -1.0 : 1.0;
     m = -abs(m);
     TORUS_PRECISE float R = line.majorRadius;
+    // R rho'' rho^3 = R (n rho^2 - s^2) is the same everywhere on a line: the square of its moment about the axis.
+    TORUS_PRECISE float moment = line.foot.x * line.direction.y - line.foot.y * line.direction.x;
+    TORUS_PRECISE float turn = R * (moment * moment);
     TORUS_PRECISE float c = n > 0.0 ? -m / n : 0.0;
     TORUS_PRECISE float dd = line.length2;
     TORUS_PRECISE float reach = R * sqrt(n) / dd;
@@ -166,12 +172,12 @@ torus_Extrema torus_extrema(torus_Line line) {
     TORUS_PRECISE float enough = TORUS_EXTREMUM_STEP * line.minorRadius;
     bool busy = true;
     for (int i = 0; i < TORUS_EXTREMUM_STEPS && busy; ++i) {
-        // g / g' = (dd u rho - R s) rho^2 / (dd rho^3 - R (n rho^2 - s^2)), s = rho rho' = n u + m
+        // g / g' = (dd u rho - R s) rho^2 / (dd rho^3 - R rho'' rho^3), s = rho rho' = n u + m
         TORUS_PRECISE float sLeft = n * left + m;
         TORUS_PRECISE float square = max((sLeft + m) * left + rho2, 1.0e-20);
         TORUS_PRECISE float rho = sqrt(square);
         TORUS_PRECISE float cube = rho * square;
-        TORUS_PRECISE float bend = dd * cube - R * (n * square - sLeft * sLeft);
+        TORUS_PRECISE float bend = dd * cube - turn;
         TORUS_PRECISE float perBend = 1.0 / max(bend, 1.0e-20);
         TORUS_PRECISE float step = (R * sLeft - dd * left * rho) * square * perBend;
         step = clamp(step, 0.0, c - left);
@@ -183,7 +189,7 @@ torus_Extrema torus_extrema(torus_Line line) {
         square = max((sRight + m) * right + rho2, 1.0e-20);
         rho = sqrt(square);
         cube = rho * square;
-        bend = dd * cube - R * (n * square - sRight * sRight);
+        bend = dd * cube - turn;
         hasRight = hasRight && bend > 0.0 && right > c;
         perBend = 1.0 / max(bend, 1.0e-20);
         step = hasRight ? (dd * right * rho - R * sRight) * square * perBend : 0.0;
@@ -238,21 +244,28 @@ torus_Extrema torus_extrema(torus_Line line) {
 // The maximum of G between its two minima: Newton from c, monotone. Costs nothing unless `wanted`.
 float torus_maximum(torus_Line line, torus_Extrema extrema, bool wanted, out float value) {
     TORUS_PRECISE float n = line.direction.x * line.direction.x + line.direction.y * line.direction.y;
-    TORUS_PRECISE float m = line.foot.x * line.direction.x + line.foot.y * line.direction.y;
-    TORUS_PRECISE float rho2 = line.foot.x * line.foot.x + line.foot.y * line.foot.y;
+    TORUS_PRECISE float moment = line.foot.x * line.direction.y - line.foot.y * line.direction.x;
     TORUS_PRECISE float R = line.majorRadius;
+    // In terms of q = u - c, in which rho^2 = (moment^2 + (n q)^2) / n and rho rho' = n q: near the axis these agree with
+    // each other, where differences of larger numbers would be all rounding.
+    TORUS_PRECISE float turn = moment * moment;
+    TORUS_PRECISE float nearest2 = n > 0.0 ? turn / n : 0.0;
     TORUS_PRECISE float u = clamp(extrema.axis, extrema.firstMinimum, extrema.secondMinimum);
     TORUS_PRECISE float enough = TORUS_EXTREMUM_STEP * line.minorRadius;
     TORUS_PRECISE float flatness = -1.0;
     bool busy = wanted;
     for (int i = 0; i < TORUS_EXTREMUM_STEPS && busy; ++i) {
-        TORUS_PRECISE float s = n * u + m;
-        TORUS_PRECISE float square = max((s + m) * u + rho2, 1.0e-20);
+        TORUS_PRECISE float q = u - extrema.axis;
+        TORUS_PRECISE float s = n * q;
+        TORUS_PRECISE float square = nearest2 + s * q;
         TORUS_PRECISE float rho = sqrt(square);
-        TORUS_PRECISE float bend = line.length2 * rho * square - R * (n * square - s * s);
-        TORUS_PRECISE float perBend = 1.0 / min(bend, -1.0e-20);
+        TORUS_PRECISE float cube = rho * square;
+        TORUS_PRECISE float bend = line.length2 * cube - R * turn;
+        // Without a bend the line passes through the axis, and here is the edge that G has there.
+        bool edge = bend >= 0.0;
+        TORUS_PRECISE float perBend = edge ? 0.0 : 1.0 / bend;
         TORUS_PRECISE float step = (R * s - line.length2 * u * rho) * square * perBend;
-        flatness = rho * square * perBend;
+        flatness = edge ? -1.0e-20 : cube * perBend;
         TORUS_PRECISE float next = clamp(u + step, extrema.firstMinimum, extrema.secondMinimum);
         TORUS_PRECISE float change = next - u;
         busy = abs(change) > enough;
@@ -286,8 +299,11 @@ float torus_root(torus_Line line, float lower, float upper, bool rising, float s
         bool trusted = next >= lo && next <= hi;
         next = trusted ? next : 0.5 * (lo + hi);
         TORUS_PRECISE float change = next - u;
-        busy = abs(change) > enough && abs(value) > noise;
-        u = next;
+        bool longStep = abs(change) > enough;
+        bool quiet = abs(value) <= noise;
+        busy = longStep && !quiet;
+        // Where G is but its rounding, a long step goes anywhere.
+        u = longStep && quiet ? u : next;
     }
     return u;
 }
