@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "device_fixture.hpp"
 
+#include <fmt/format.h>
+
 #include <memory>
 
 namespace raytorus::test {
@@ -42,6 +44,8 @@ gpu::Context& device() {
         gpu::ContextOptions options;
         options.validate = true;
         shared().context = std::make_unique<gpu::Context>(options, shared().log);
+        const gpu::DeviceInfo& info = shared().context->info();
+        fmt::print("on {}, {} {}\n", info.name, info.driverName, info.driverInfo);
     }
     return *shared().context;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <ostream>
 
@@ -34,6 +35,12 @@ void PrintTo(const CaseRun& run, std::ostream* out) {
     *out << labelOf(run);
 }
 
+// ctest runs the same cases on several drivers at once: those that it names have a folder each.
+fs::path evidenceFolder() {
+    const char* driver = std::getenv("RAYTORUS_DRIVER_NAME");
+    return fs::path(RAYTORUS_TEST_OUTPUT_DIR) / "golden" / (driver != nullptr ? driver : "");
+}
+
 std::vector<CaseRun> allRuns() {
     std::vector<CaseRun> runs;
     for (const GoldenCase& row : goldenCases) {
@@ -50,7 +57,7 @@ TEST_P(Golden, IsRenderedAgain) {
     const image::Image actual = renderGolden(device(), run.row, run.route);
     const image::ReportCase result =
         checkGolden(goldenFolder, run.row, labelOf(run), actual, goldenRules(run.row, device().info()));
-    const fs::path evidence = fs::path(RAYTORUS_TEST_OUTPUT_DIR) / "golden" / labelOf(run);
+    const fs::path evidence = evidenceFolder() / labelOf(run);
     fs::remove_all(evidence);
     if (!result.passed) {
         leaveEvidence(evidence, result);
