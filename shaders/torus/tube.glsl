@@ -262,7 +262,7 @@ float torus_maximum(torus_Line line, torus_Extrema extrema, bool wanted, out flo
         TORUS_PRECISE float cube = rho * square;
         TORUS_PRECISE float bend = line.length2 * cube - R * turn;
         // Without a bend the line passes through the axis, and here is the edge that G has there.
-        bool edge = bend >= 0.0;
+        bool edge = bend > -1.0e-30;
         TORUS_PRECISE float perBend = edge ? 0.0 : 1.0 / bend;
         TORUS_PRECISE float step = (R * s - line.length2 * u * rho) * square * perBend;
         flatness = edge ? -1.0e-20 : cube * perBend;
