@@ -59,16 +59,16 @@ using Grazing = test::DeviceTest;
 
 // Rays that pass the surface, or dip into it, by a few millionths of r, from up to 100 R away: many nearer
 // than that, since the rounding of their origins moves them. What may be wrong of them is what moves when the
-// last bits of the line do: none in most runs, one of 12 000 in some, of the thinnest. The best others are
-// wrong for a quarter.
+// last bits of the line do. In 18 runs that was at most 6 of 12 000 rays at r/R = 0.001, 1 at 0.01, and
+// none from 0.1 on; the bars leave room for three times as many. The best others are wrong for a quarter.
 TEST_F(Grazing, VerdictsAreNearlyAlwaysRight) {
     constexpr std::uint64_t raysPerCase = 3000;
-    constexpr double mayBeWrong = 5e-4;  // in parts of the rays
     test::HitJudge judge(raysPerCase);
     for (int i = 0; i < 12; ++i) {
         const float minorRadius =
             std::array{0.001F, 0.01F, 0.1F, 0.25F, 0.5F, 1.0F}[static_cast<std::size_t>(i) % 6];
         const double margin = i < 6 ? 3e-6 : 3e-5;
+        const double mayBeWrong = minorRadius < 0.1F ? 1.5e-3 : 2.5e-4;  // in parts of the rays
         test::Judgement all;
         for (const double distance : {1.5, 3.0, 10.0, 100.0}) {
             reference::RayParameters parameters;
