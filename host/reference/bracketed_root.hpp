@@ -2,7 +2,9 @@
 // The zero of a function between two points where it differs in sign.
 //
 // Regula falsi with the weights of Anderson and Björck ("A new high order method of regula falsi type", BIT
-// 13, 1973), every fourth step a bisection, so that the bracket halves whatever the function.
+// 13, 1973), every fourth step a bisection, so that the bracket halves whatever the function. The first step
+// is one: at an end where the function only touches zero its sign is noise, and regula falsi would stay
+// there.
 #pragma once
 
 #include "reference/real.hpp"
@@ -18,7 +20,7 @@ Real bracketedRoot(const Function& f, Real low, Real atLow, Real high, Real atHi
     const Real leastStep = enough * half;
     // At most 4 * mantissaBits steps: bisection alone would have ended after as many of its own.
     for (int step = 1; step < 4 * mantissaBits<Real> && high - low > enough; ++step) {
-        const bool bisect = step % 4 == 0;
+        const bool bisect = step % 4 == 1;
         Real x = bisect ? (low + high) * half : low + (high - low) * (atLow / (atLow - atHigh));
         // Stepping over the zero closes the bracket once an end is next to it.
         if (x < low + leastStep) x = low + leastStep;
