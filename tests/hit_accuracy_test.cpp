@@ -18,7 +18,7 @@ namespace {
 using reference::RayClass;
 
 // A position is the exact one, rounded: it is off the surface by no more than it is off the exact one.
-constexpr double maxOffSurface = test::positionBound;
+constexpr double maxOffSurface = verify::positionBound;
 
 class HitAccuracy : public test::DeviceTest, public testing::WithParamInterface<RayClass> {};
 

@@ -25,41 +25,6 @@ std::vector<Row> traceRows(render::Tracer& tracer, const reference::Torus& torus
     return rows;
 }
 
-double length(const reference::QuadVec3& v) {
-    return std::sqrt(reference::toDouble(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
-}
-
-double distanceBetween(const reference::QuadVec3& exact, const float (&actual)[3]) {
-    return length({exact[0] - actual[0], exact[1] - actual[1], exact[2] - actual[2]});
-}
-
-// See tBound. `size` is R + r in lengths of the direction.
-double ulpsBetween(reference::Quad exact, float actual, double size) {
-    const float magnitude = std::max(std::abs(actual), static_cast<float>(std::ldexp(size, -4)));
-    const double ulp = static_cast<double>(std::nextafter(magnitude, INFINITY) - magnitude);
-    return std::abs(reference::toDouble(exact - actual)) / ulp;
-}
-
-// The verdicts of one ray; empty if they are right.
-std::string faultOf(const reference::Intersections& truth, const render::NearestHit& nearest,
-                    const render::AllHits& all, float any) {
-    const bool hit = truth.count > 0;
-    if ((nearest.hit != 0.0F) != hit) {
-        return hit ? "missed" : "false hit";
-    }
-    if (static_cast<int>(all.count) != truth.count) {
-        return fmt::format("{} hits instead of {}", all.count, truth.count);
-    }
-    if ((any != 0.0F) != hit) {
-        return fmt::format("torusOccluded says {}", any);
-    }
-    if (hit && (std::memcmp(&nearest.t, &all.t[0], sizeof(float)) != 0 ||
-                std::memcmp(nearest.position, all.position[0], sizeof(nearest.position)) != 0)) {
-        return "the nearest hit is not the first of all";
-    }
-    return {};
-}
-
 }  // namespace
 
 struct HitJudge::Answers {
@@ -91,27 +56,26 @@ void addFault(Judgement& judgement, const std::string& what, const std::string& 
     }
 }
 
+// What is wrong with the answers to a ray, for people; empty if nothing is.
+std::string faultOf(const verify::Judgement& judged, const verify::Truth& truth, const render::AllHits& all) {
+    if (judged.fault == verify::Fault::WrongCount) {
+        return fmt::format("{} hits instead of {}", all.count, truth.count);
+    }
+    return judged.fault == verify::Fault::None ? std::string() : verify::nameOf(judged.fault);
+}
+
 // The first of a ray's hits that is not where it must be; empty if none is. Notes how far off each is.
-std::string misplaced(const reference::Torus& torus, const reference::Ray& ray,
-                      const reference::Intersections& truth, const render::AllHits& all,
-                      Judgement& judgement) {
-    const double size = static_cast<double>(torus.majorRadius) + static_cast<double>(torus.minorRadius);
-    const double rayLength = length(reference::toQuad(ray.direction));
-    for (int k = 0; k < truth.count; ++k) {
-        const auto& exact = truth.hits[static_cast<std::size_t>(k)];
-        const float(&position)[3] = all.position[k];
-        const double error = distanceBetween(exact.position, position) / size;
-        const double tError = ulpsBetween(exact.t, all.t[k], size / rayLength);
-        const double surface =
-            std::abs(reference::toDouble(reference::distance(torus, reference::toQuad(position))));
-        judgement.offSurface = std::max(judgement.offSurface, surface / size);
-        judgement.positionError = std::max(judgement.positionError, error);
-        judgement.tError = std::max(judgement.tError, tError);
-        if (!(error <= positionBound)) {
-            return fmt::format("position {} is off by {:.3g} (R + r)", k, error);
+std::string misplaced(const verify::Judgement& judged, Judgement& judgement) {
+    for (int k = 0; k < judged.hitCount; ++k) {
+        const verify::HitErrors& errors = judged.errors[static_cast<std::size_t>(k)];
+        judgement.offSurface = std::max(judgement.offSurface, errors.surface);
+        judgement.positionError = std::max(judgement.positionError, errors.position);
+        judgement.tError = std::max(judgement.tError, errors.t);
+        if (!(errors.position <= verify::positionBound)) {
+            return fmt::format("position {} is off by {:.3g} (R + r)", k, errors.position);
         }
-        if (!(tError <= tBound)) {
-            return fmt::format("t {} is off by {:.3g} ulp", k, tError);
+        if (!(errors.t <= verify::tBound)) {
+            return fmt::format("t {} is off by {:.3g} ulp", k, errors.t);
         }
     }
     return {};
@@ -119,45 +83,41 @@ std::string misplaced(const reference::Torus& torus, const reference::Ray& ray,
 
 }  // namespace
 
-Judgement HitJudge::judge(const reference::Torus& torus, const std::vector<reference::Ray>& rays,
-                          const std::string& name) {
+Judgement HitJudge::judgeAll(const reference::Torus& torus, const std::vector<reference::Ray>& rays,
+                             const std::string& name, bool clearOnly) {
     const Answers answers = ask(torus, rays);
-    const double endMargin = clearEndMargin(static_cast<double>(torus.minorRadius));
+    const double endMargin = verify::clearEndMargin(torus);
     Judgement judgement;
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        const reference::Intersections truth = reference::intersect(torus, rays[i]);
-        if (truth.clearance < clearMargin || truth.endClearance() < endMargin) {
+        const verify::Truth truth = verify::arbiterTruth(torus, rays[i]);
+        if ((clearOnly && truth.clearance < verify::clearMargin) || truth.endClearance() < endMargin) {
             ++judgement.unclear;
             continue;
         }
         ++judgement.judged;
         judgement.hits += truth.count > 0 ? 1 : 0;
-        std::string fault = faultOf(truth, answers.nearest[i], answers.all[i], answers.any[i]);
-        if (fault.empty()) {
-            fault = misplaced(torus, rays[i], truth, answers.all[i], judgement);
+        const verify::Judgement judged =
+            verify::judge(torus, rays[i], truth, {&answers.nearest[i], &answers.all[i], answers.any[i]});
+        std::string fault;
+        if (clearOnly || judged.fault != verify::Fault::Gross) {
+            fault = faultOf(judged, truth, answers.all[i]);
+        }
+        if (clearOnly && fault.empty()) {
+            fault = misplaced(judged, judgement);
         }
         addFault(judgement, fault, name, i, torus, rays[i]);
     }
     return judgement;
 }
 
+Judgement HitJudge::judge(const reference::Torus& torus, const std::vector<reference::Ray>& rays,
+                          const std::string& name) {
+    return judgeAll(torus, rays, name, true);
+}
+
 Judgement HitJudge::judgeVerdicts(const reference::Torus& torus, const std::vector<reference::Ray>& rays,
                                   const std::string& name) {
-    const Answers answers = ask(torus, rays);
-    const double endMargin = clearEndMargin(static_cast<double>(torus.minorRadius));
-    Judgement judgement;
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        const reference::Intersections truth = reference::intersect(torus, rays[i]);
-        if (truth.endClearance() < endMargin) {
-            ++judgement.unclear;
-            continue;
-        }
-        ++judgement.judged;
-        judgement.hits += truth.count > 0 ? 1 : 0;
-        addFault(judgement, faultOf(truth, answers.nearest[i], answers.all[i], answers.any[i]), name, i,
-                 torus, rays[i]);
-    }
-    return judgement;
+    return judgeAll(torus, rays, name, false);
 }
 
 std::vector<std::string> HitJudge::mismatches(const reference::Torus& torus,

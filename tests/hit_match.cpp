@@ -64,7 +64,7 @@ struct Line {
 // The hit nearest to an end of the ray may go either way if the end lies on the surface.
 void loosenEnd(Truth& truth, const Line& line, Quad end) {
     const double r{line.torus.minorRadius};
-    const double margin = std::max(clearEndMargin(1.0) * r, 2e-7 * line.size);
+    const double margin = verify::clearEndMargin(line.torus) * r;
     if (truth.count == 0 || !(absolute(end) <= absolute(largest)) || !(line.distanceAt(end) < margin)) {
         return;
     }
@@ -106,7 +106,7 @@ Truth truthOf(const Line& line) {
 std::string misplaced(const Line& line, const Hit* exact, const float (&position)[3], float t) {
     const reference::QuadVec3 at = reference::toQuad(position);
     const double offSurface = absolute(reference::distance(line.torus, at)) / line.size;
-    if (!(offSurface <= positionBound)) {
+    if (!(offSurface <= verify::positionBound)) {
         return fmt::format("a position is {:.3g} (R + r) off the surface", offSurface);
     }
     const float magnitude =
@@ -116,15 +116,15 @@ std::string misplaced(const Line& line, const Hit* exact, const float (&position
                            : std::ldexp(1.0, 104);
     const reference::QuadVec3 there = exact == nullptr ? line.at(Quad(t)) : exact->position;
     const double error = length({there[0] - at[0], there[1] - at[1], there[2] - at[2]}) / line.size;
-    const double tRounding = exact == nullptr ? tBound * ulp * line.rayLength / line.size : 0.0;
-    if (!(error <= positionBound + tRounding)) {
+    const double tRounding = exact == nullptr ? verify::tBound * ulp * line.rayLength / line.size : 0.0;
+    if (!(error <= verify::positionBound + tRounding)) {
         return fmt::format("a position is off by {:.3g} (R + r)", error);
     }
     // A hit that rounding puts beyond an end is the one at the end.
     const Quad exactT =
         exact == nullptr ? Quad(t) : std::clamp(exact->t, Quad(line.ray.tMin), Quad(line.ray.tMax));
     const double tError = absolute(exactT - Quad(t)) / ulp;
-    if (!(tError <= tBound)) {
+    if (!(tError <= verify::tBound)) {
         return fmt::format("a t is off by {:.3g} ulp", tError);
     }
     return {};

@@ -98,12 +98,10 @@ Bar barOf(const Cell& cell) {
         bar.positionMax = bar.positionP99 = bar.surfaceMax = bar.tP99 = bar.tMax = INFINITY;
         return bar;
     }
-    // The exact position, rounded, is off by at most 2^-24 (R + r) = 6e-8 (docs/accuracy.md), half as much
-    // again for all other roundings. t is rounded once, but in flat crossings.
     bar.positionP99 = 0x1p-24;
-    bar.positionMax = bar.surfaceMax = 9e-8;
+    bar.positionMax = bar.surfaceMax = positionBound;
     bar.tP99 = 0.55;  // half an ulp; the histogram's bins are a sixteenth wide
-    bar.tMax = 2.0;
+    bar.tMax = tBound;
     return bar;
 }
 

@@ -59,11 +59,21 @@ inline double clearEndMargin(const reference::Torus& torus) {
     return std::max(2e-5, 2e-7 * (double{torus.majorRadius} + r) / r);
 }
 
+/// How far a position of a clear ray may be from the exact hit of the ray as given, in R + r: 2^-24 for the
+/// exact position, rounded, and half as much again for all other roundings (docs/accuracy.md).
+inline constexpr double positionBound = 9e-8;
+
+/// How far its t may be off, in ulp as HitErrors has them: half an ulp where it is rounded once, which it
+/// nearly always is. A flat crossing (a ray nearly along a thin tube, or near the tip of a horn) adds to it.
+inline constexpr double tBound = 2.0;
+
 /// How far off a hit is.
 struct HitErrors {
     double position;  ///< from the exact hit of the ray as given, in R + r
-    double t;         ///< in ulp of t, or of (R + r) / 16 if t is shorter than that
-    double surface;   ///< of the position from the surface, in R + r
+    /// In ulp of t; of (R + r) / 16, which is 2^-27 (R + r) or more, if t is shorter than that: the line is
+    /// known to some 2^-40 (R + r), which a slanting surface makes a hundred times longer.
+    double t;
+    double surface;  ///< of the position from the surface, in R + r
 };
 
 struct Judgement {
