@@ -2,6 +2,7 @@
 // raytorus-verify as users run it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
@@ -155,12 +156,49 @@ TEST_F(ProgramVerify, RefusesAFileItCannotWriteBeforeTheWork) {
     EXPECT_NE(result.err.find("nowhere/found.json"), std::string::npos) << result.err;
 }
 
+// The words of a command line, where quotes keep words together; the number of rays is made small.
+std::vector<std::string> wordsOf(const std::string& line) {
+    std::vector<std::string> words;
+    const std::regex word(R"re("([^"]*)"|(\S+))re");
+    for (std::sregex_iterator i(line.begin(), line.end(), word), end; i != end; ++i) {
+        words.push_back((*i)[1].matched ? (*i)[1] : (*i)[2]);
+    }
+    const auto rays = std::find(words.begin(), words.end(), "--rays");
+    if (rays != words.end()) {
+        *(rays + 1) = "50";
+    } else {
+        words.insert(words.end(), {"--rays", "50"});
+    }
+    return words;
+}
+
 TEST_F(ProgramVerify, HelpsWithExamplesThatWork) {
     const ProgramResult help = run({"--help"});
     EXPECT_EQ(help.exitCode, 0);
-    EXPECT_NE(help.out.find("Examples:\n"), std::string::npos);
-    EXPECT_NE(help.out.find("--replay \"0x1p+0"), std::string::npos);
     EXPECT_EQ(run({"--version"}).out.substr(0, 16), "raytorus-verify ");
+    const std::string examples = help.out.substr(help.out.find("Examples:\n"));
+    // Each stands in docs/cli.md too, some with a remark behind it.
+    const std::string page = fileText(RAYTORUS_SOURCE_DIR "/docs/cli.md");
+    const std::regex command(R"re(\n  (raytorus-verify.*))re");
+    std::size_t count = 0;
+    for (std::sregex_iterator i(examples.begin(), examples.end(), command), end; i != end; ++i, ++count) {
+        const std::string line = (*i)[1];
+        EXPECT_NE(page.find("\n$ " + line), std::string::npos) << line;
+        std::vector<std::string> words = wordsOf(line);
+        words.erase(words.begin());
+        EXPECT_EQ(run(words).exitCode, 0) << line;
+    }
+    EXPECT_GE(count, 5U);
+}
+
+TEST_F(ProgramVerify, OtherMethodsHavePromisedNothing) {
+    const ProgramResult result =
+        run({"--method", "closed-form-naive", "--class", "camera", "--distance", "1000", "--rays", "100"});
+    EXPECT_EQ(result.exitCode, 0) << testing::PrintToString(result);
+    EXPECT_EQ(result.out.find("replay"), std::string::npos);
+    expectUsageError({"--method", "magic"},
+                     "--method: there is no method \"magic\" (there are raytorus newton-quartic minima-first "
+                     "closed-form closed-form-naive sphere-tracing)");
 }
 
 }  // namespace

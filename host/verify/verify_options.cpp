@@ -19,7 +19,8 @@ constexpr const char* footer =
     R"(A cell is a class of rays, a shape of torus and a distance of the origins. All cells are run unless some are chosen.
 Errors of positions are in R + r, those of t in ulp of t (of (R + r) / 16 if t is shorter than that).
 
-Exit codes: 0 every bar is held, 2 a bar is broken (each is named), others as of raytorus.
+Exit codes: 0 every bar is held, 2 a bar is broken (each is named), others as of raytorus. Bars are what the library
+promises: of other methods the table alone is printed.
 
 Examples:
   raytorus-verify

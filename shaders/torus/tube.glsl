@@ -25,8 +25,9 @@
 #define TORUS_ROOT_STEPS 48
 // An extremum is near enough when a step is shorter than this part of r; the next error is its square, and G is flat.
 #define TORUS_EXTREMUM_STEP 0.00390625
-// Up to this part of r (R + r), rounding can have turned the sign of G: some ten roundings of its terms.
-#define TORUS_DOUBT 2.0e-6
+// Up to this part of r (R + r), rounding can have turned the sign of G: some ten roundings of its terms, and a square
+// root that is off by the 6.5 ulp that Vulkan allows.
+#define TORUS_DOUBT 2.5e-6
 // Where a minimum and a maximum of G nearly meet, as near a horn's tip, Newton only halves the way to each, and the
 // curvature with it: this many times as much as the parabola says can be left of G.
 #define TORUS_SETTLE_ROOM 8.0
