@@ -124,6 +124,19 @@ const StressRay ownFaults[] = {
       0,
       {0x1.d72p-1F, 0x1.f6ep-1F, 0x1.8db1ap-1F},
       infinity}},
+    // Past the dimple, where two extrema have just merged: the place where G is merely flat was taken for a
+    // maximum.
+    {"pastADimpleWhereExtremaHaveMerged",
+     {1, 1.5F},
+     {{-0x1.1fcddep+2F, -0x1.a65a08p+3F, 0x1.61e64ep+2F},
+      0x1.d4deb8p+3F,
+      {0x1.20cedcp-2F, 0x1.b5edap-1F, -0x1.bd04b8p-2F},
+      0x1.fa41cp+3F}},
+    // Through a spindle's axis: the edge of G there has no curvature, and the parabola found none but
+    // rounding.
+    {"throughASpindlesAxisBelowTheTip",
+     {1, 1.5F},
+     {{-0.0F, -0x1.1422bcp+20F, 0x1.e11416p+19F}, 0, {0, 0x1.8210eap-1F, -0x1.504c88p-1F}, infinity}},
     {"aPairNextToAHornsTip",
      {1, 1},
      {{-0x1.dc4af2p-6F, 0x1.5d18dep+0F, 0x1.8ea8f2p+0F},

@@ -278,6 +278,10 @@ float torus_maximum(torus_Line line, torus_Extrema extrema, bool wanted, out flo
     for (int i = 1; i <= TORUS_SETTLE_STEPS && busy; ++i) {
         busy = torus_settle(line, flatness, i == TORUS_SETTLE_STEPS, u, value);
     }
+    // A maximum that is not between the minima is none: a pair of extrema has merged, and Newton was left with a place
+    // where G is merely flat.
+    bool between = u > extrema.firstMinimum && u < extrema.secondMinimum;
+    value = between ? value : max(extrema.firstValue, extrema.secondValue);
     return u;
 }
 
