@@ -76,6 +76,11 @@ breaks(operations "circle.glsl:[0-9]+: surface uses Atan2" circle.glsl "float tu
     "float turn = atan(y, x)")
 breaks(operations "circle.glsl:[0-9]+: surface uses Sin" circle.glsl "float a2 = a * a" "float a2 = sin(a)")
 
+breaks(operations "closed_form.glsl:[0-9]+: closed_form uses Cos" closed_form.glsl "cosine = 2.0 * k * k - 1.0"
+    "cosine = cos(acos(k))")
+breaks(operations "closed_form.glsl:[0-9]+: closed_form: FMul is not precise" closed_form.glsl
+    "TORUS_PRECISE float cosine = " "float cosine = ")
+
 breaks(version "torus.glsl says 9.1.0" torus.glsl "VERSION_MAJOR 0" "VERSION_MAJOR 9")
 breaks(version "TORUS_VERSION_REQUIRED [0-9]+: result 0" torus.glsl "#error" "//")
 
@@ -86,6 +91,10 @@ breaks(contract "not in the contract: struct TorusHit" torus.glsl "    vec3 posi
 breaks(contract "not in the contract: float torusArea" torus.glsl "// The nearest hit."
     "float torusArea() { return 1.0; }")
 adds(contract "arithmetic.glsl: public, but not in torus.glsl" "float torusArea() { return 1.0; }")
+breaks(contract "in the contract, not declared: float torusBetaSum.TorusReducedRay ray" closed_form.glsl
+    "float torusBetaSum(TorusReducedRay ray)" "float torusBetaSum(TorusReducedRay line)")
+breaks(contract "closed_form.glsl: not in its contract: float torusArea" closed_form.glsl
+    "// A ray brought to R = 1" "float torusArea() { return 1.0; }\n// A ray brought to R = 1")
 
 # What belongs to the folder above, and to the examples.
 function(copy_shaders)
