@@ -37,6 +37,7 @@ class ClosedForm : public testing::TestWithParam<RayClass> {};
 TEST_P(ClosedForm, HasTheRootsOfRandomRaysInBothVersions) {
     constexpr std::uint64_t raysEach = 300;
     double worst[2] = {0, 0};
+    std::vector<double> errors;
     std::size_t roots = 0;
     for (const float minorRadius : {0.01F, 0.1F, 0.5F, 0.9F, 1.0F, 1.5F}) {
         for (const double distance : {3.0, 1000.0}) {
@@ -66,6 +67,7 @@ TEST_P(ClosedForm, HasTheRootsOfRandomRaysInBothVersions) {
                     const test::RootsDifference off = test::difference(truth, found, reduced.scale);
                     const bool tip = minorRadius >= 1.0F;
                     worst[tip] = std::max({worst[tip], off.pairs, off.values});
+                    errors.push_back(off.values);
                     ASSERT_LE(std::max(off.pairs, off.values), tip ? atTheTip : ordinary)
                         << "version " << v + 1 << ": " << describeRay(GetParam(), parameters, i);
                 }
@@ -75,6 +77,10 @@ TEST_P(ClosedForm, HasTheRootsOfRandomRaysInBothVersions) {
     fmt::print("{}: {} roots, off by {:.1e} R at most, {:.1e} R of horns and spindles\n", nameOf(GetParam()),
                roots, worst[0], worst[1]);
     EXPECT_GT(roots, raysEach);
+    // Half of the rays are nowhere near a special case: they keep nearly all of the 113 bits. Seen: up to
+    // 7e-32.
+    std::nth_element(errors.begin(), errors.begin() + std::ssize(errors) / 2, errors.end());
+    EXPECT_LE(errors[errors.size() / 2], 1e-28);
 }
 
 INSTANTIATE_TEST_SUITE_P(Classes, ClosedForm, testing::ValuesIn(reference::allRayClasses),
@@ -148,7 +154,8 @@ TEST(ClosedFormCase, EpsilonNegativeWithFourRoots) {
     EXPECT_LT(epsilonOf(f), 0);
     EXPECT_NE(f.cz, 0);
     EXPECT_EQ(Cxx::reducedRoots(f).count, 4);
-    expectRoots(withRoots(-3, -1, Quad(0.5F)), {-3, -1, 0.5, 3.5});
+    // 1e-34 a rounding: the third of the angle is iterated as far as that.
+    expectRoots(withRoots(-3, -1, Quad(0.5F)), {-3, -1, 0.5, 3.5}, 1e-31);
 }
 
 // Down the hole, not quite along the axis: four complex roots.
