@@ -81,6 +81,10 @@ breaks(operations "closed_form.glsl:[0-9]+: closed_form uses Cos" closed_form.gl
 breaks(operations "closed_form.glsl:[0-9]+: closed_form: FMul is not precise" closed_form.glsl
     "TORUS_PRECISE float cosine = " "float cosine = ")
 
+breaks(equations "closed_form.glsl: cites equation 99 of docs/math.md" closed_form.glsl "eq. 23)" "eq. 99)")
+breaks(equations "closed_form.glsl: mentions math.md [0-9]+ times" closed_form.glsl "math.md, eq. 23)" "math.md, 23)")
+breaks(equations "no function torusBetaSum" closed_form.glsl "float torusBetaSum(" "float torusBetaSums(")
+
 breaks(version "torus.glsl says 9.1.0" torus.glsl "VERSION_MAJOR 0" "VERSION_MAJOR 9")
 breaks(version "TORUS_VERSION_REQUIRED [0-9]+: result 0" torus.glsl "#error" "//")
 
@@ -112,6 +116,18 @@ run_broken(rebuild "own.glsl changed: compiles \"\" instead of" "-DLIBRARY=${LIB
 copy_shaders()
 replace("${copy}/shaders/CompileShader.cmake" "--depfile" "--no-such-option")
 run_broken(rebuild "from nothing: the build fails" "-DLIBRARY=${LIBRARY}" "-DGENERATOR=${GENERATOR}")
+
+foreach(change IN ITEMS "tag{7}|tag{8}|equation 8 stands where 7 should"
+        "Identities.ZetaSolvesTheCubic|Identities.ZetaSolvesIt|no test Identities.ZetaSolvesIt")
+    string(REPLACE "|" ";" change "${change}")
+    list(GET change 0 old)
+    list(GET change 1 new)
+    list(GET change 2 expected)
+    math(EXPR count "${count} + 1")
+    file(COPY "${root}/docs/math.md" DESTINATION "${SCRATCH}/${count}")
+    replace("${SCRATCH}/${count}/math.md" "${old}" "${new}")
+    run_broken(equations "${expected}" "-DMATH=${SCRATCH}/${count}/math.md")
+endforeach()
 
 copy_shaders()
 replace("${copy}/examples/first_hit.frag" "Torus(1.0, 0.4)" "Torus(1.0)")
