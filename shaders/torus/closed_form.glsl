@@ -4,11 +4,12 @@
 // of its equation in docs/math.md. To read, to compare with, to teach: not what torusIntersect does.
 //
 //   - It has the roots of the polynomial on the whole line: of a spindle those of the inner sheet, too.
-//   - Its float32 answers are only sometimes good, which is why the library finds its hits otherwise. The inner root S is
-//     the square root of a difference: where it is small, near the planes of symmetry, and near a double root t is right to
-//     half the digits, off by up to 1e-3 R. And the number of roots is wrong for some of the lines that pass within
-//     1e-7 r / w^2 of a tangent: at r = 0.01 R one in 500, at 0.25 R none of thousands. In 113 bits the same lines are right
-//     to 1e-15 R on every ray, tangents included. tests/closed_form_test.cpp and closed_form_float_test.cpp measure both.
+//   - Its float32 answers are only sometimes good, which is why the library finds its hits otherwise. The inner root S
+//     is the square root of a difference: where it is small, near the planes of symmetry, and near a double root t is
+//     right to half the digits, off by up to 1e-3 R. And the number of roots is wrong for some of the lines that pass
+//     within 1e-7 r / w^2 of a tangent: at r = 0.01 R one in 500, at 0.25 R none of thousands. In 113 bits the same
+//     lines are right to 1e-15 R on every ray, tangents included, but for the axis of a horn: 1e-8 R.
+//     tests/closed_form_test.cpp and closed_form_float_test.cpp measure both.
 //   - Nothing non-finite comes out, whatever finite numbers go in. Only + - * / sqrt, comparisons and bit patterns.
 //
 // Includes torus.glsl. Symbols in the code are those of the derivation: a, b, c; x, y, z; alpha to zeta.
@@ -40,7 +41,8 @@ struct TorusReducedQuartic {
     float beta;
 };
 
-// The quartic of any ray, in the ray's own t, as it stands (math.md, eq. 7): c[0] + c[1] t + c[2] t^2 + c[3] t^3 + c[4] t^4.
+// The quartic of any ray, in the ray's own t, as it stands (math.md, eq. 7):
+//     c[0] + c[1] t + c[2] t^2 + c[3] t^3 + c[4] t^4
 //
 // torus, origin, direction   numbers up to 1e9, beyond which float32 does not hold their fourth powers
 // c          the coefficients; 0 where a number is larger or NaN. Far from the torus they have lost it: c[0] is about
@@ -110,7 +112,7 @@ bool torusReduceRay(Torus torus, vec3 origin, vec3 direction, out TorusReducedRa
     return true;
 }
 
-// beta as the sum that the derivation arrives at (math.md, eq. 11): in float32 its terms cancel to nothing of a thin tube.
+// beta as the sum that the derivation arrives at (math.md, eq. 11): in float32 its terms cancel beside a thin tube.
 float torusBetaSum(TorusReducedRay ray) {
     TORUS_PRECISE float a2 = ray.origin.x * ray.origin.x;
     TORUS_PRECISE float b2 = ray.origin.y * ray.origin.y;
@@ -122,7 +124,8 @@ float torusBetaSum(TorusReducedRay ray) {
     return beta;
 }
 
-// beta as the product of what the point is off the outer and the inner sheet (math.md, eq. 12): keeps its sign and its digits.
+// beta as the product of what the point is off the outer and the inner sheet (math.md, eq. 12): keeps its sign and its
+// digits.
 float torusBetaProduct(TorusReducedRay ray) {
     TORUS_PRECISE float c2 = ray.origin.z * ray.origin.z;
     TORUS_PRECISE float rho = sqrt(ray.origin.x * ray.origin.x + ray.origin.y * ray.origin.y);
@@ -134,7 +137,7 @@ float torusBetaProduct(TorusReducedRay ray) {
     return beta;
 }
 
-// The reduced quartic, first version: alpha and the linear term from the coordinate along the axis (math.md, eq. 9, 10).
+// The reduced quartic, first version: its terms from the coordinate along the axis (math.md, eq. 9, 10).
 TorusReducedQuartic torusAxialQuartic(TorusReducedRay ray) {
     TORUS_PRECISE float o2 = ray.origin.x * ray.origin.x + ray.origin.y * ray.origin.y + ray.origin.z * ray.origin.z;
     TORUS_PRECISE float w2 = ray.tubeRadius * ray.tubeRadius;
@@ -143,8 +146,8 @@ TorusReducedQuartic torusAxialQuartic(TorusReducedRay ray) {
     return TorusReducedQuartic(alpha, cz, torusBetaProduct(ray));
 }
 
-// The reduced quartic, second version: from the coordinates across the axis (math.md, eq. 13). The same numbers, otherwise
-// rounded.
+// The reduced quartic, second version: from the coordinates across the axis (math.md, eq. 13). The same numbers,
+// otherwise rounded.
 TorusReducedQuartic torusRadialQuartic(TorusReducedRay ray) {
     TORUS_PRECISE float o2 = ray.origin.x * ray.origin.x + ray.origin.y * ray.origin.y + ray.origin.z * ray.origin.z;
     TORUS_PRECISE float w2 = ray.tubeRadius * ray.tubeRadius;
@@ -154,8 +157,8 @@ TorusReducedQuartic torusRadialQuartic(TorusReducedRay ray) {
     return TorusReducedQuartic(alpha, cz, torusBetaProduct(ray));
 }
 
-// Private: the cube root, 0 for |x| < 1e-37. A third of the exponent, and of the mantissa by the way, is right to some 4 %
-// (Kahan, Computing a Real Cube Root, 1991); each step of Halley's method cubes the error.
+// Private: the cube root, 0 for |x| < 1e-37. A third of the exponent, and of the mantissa by the way, is right to some
+// 4 % (Kahan, Computing a Real Cube Root, 1991); each step of Halley's method cubes the error.
 float torus_cubeRoot(float x) {
     float size = abs(x);
     TORUS_PRECISE float root = uintBitsToFloat(floatBitsToUint(size) / 3u + 0x2a5119f2u);
@@ -169,10 +172,10 @@ float torus_cubeRoot(float x) {
     return x < 0.0 ? -root : root;
 }
 
-// Private: cos(theta / 3) of an angle in [0, pi] from s = cos(theta / 2) in [0, 1], without trigonometry. k = cos(theta / 6)
-// solves 4 k^3 - 3 k = s (Vieta's form of the cubic with three real roots; Nickalls, The Mathematical Gazette 77, 1993,
-// pp. 354-359) and lies in [sqrt(3) / 2, 1], where that cubic is steep: Newton needs no care. Of theta itself the same
-// cubic has a double root at theta = pi.
+// Private: cos(theta / 3) of an angle in [0, pi] from s = cos(theta / 2) in [0, 1], without trigonometry. k = cos(theta
+// / 6) solves 4 k^3 - 3 k = s (Vieta's form of the cubic with three real roots; Nickalls, The Mathematical Gazette 77,
+// 1993, pp. 354-359) and lies in [sqrt(3) / 2, 1], where that cubic is steep: Newton needs no care. Of theta itself the
+// same cubic has a double root at theta = pi.
 float torus_thirdCosine(float s) {
     TORUS_PRECISE float k = 0.8660254 + 0.1339746 * s;  // the chord: off by 0.007
     for (int i = 0; i < TORUS_THIRD_COSINE_STEPS; ++i) {
@@ -183,8 +186,8 @@ float torus_thirdCosine(float s) {
     return cosine;
 }
 
-// Private: gamma and delta (math.md, eq. 15) and epsilon = gamma^2 - 4 delta^3 (math.md, eq. 17), of which the product of sum
-// and difference keeps more than the difference of the squares.
+// Private: gamma and delta (math.md, eq. 15) and epsilon = gamma^2 - 4 delta^3 (math.md, eq. 17), of which the product
+// of sum and difference keeps more than the difference of the squares.
 struct torus_Resolvent {
     float gamma;
     float delta;
@@ -209,8 +212,8 @@ float torus_complexCase(torus_Resolvent g) {
     return y;
 }
 
-// Private: gamma + sqrt(epsilon), or gamma - sqrt(epsilon) where that does not cancel. zeta from the one is delta / zeta from
-// the other, so y is the same; but delta = 0 with gamma < 0 would give zeta = 0.
+// Private: gamma + sqrt(epsilon), or gamma - sqrt(epsilon) where that does not cancel. zeta from the one is delta /
+// zeta from the other, so y is the same; but delta = 0 with gamma < 0 would give zeta = 0.
 float torus_zetaCube(torus_Resolvent g) {
     TORUS_PRECISE float root = sqrt(max(g.epsilon, 0.0));
     TORUS_PRECISE float cube = g.gamma < 0.0 ? g.gamma - root : g.gamma + root;
@@ -236,7 +239,8 @@ void torus_addPair(float middle, float square, inout float roots[4], inout int c
     }
 }
 
-// Private: c z = 0, a quadratic in t^2 (math.md, eq. 23). Of its two roots the one that does not cancel, and beta over it.
+// Private: c z = 0, a quadratic in t^2 (math.md, eq. 23). Of its two roots the one that does not cancel, and beta over
+// it.
 int torus_biquadraticRoots(TorusReducedQuartic f, inout float roots[4]) {
     int count = 0;
     TORUS_PRECISE float discriminant = f.alpha * f.alpha - f.beta;
