@@ -76,6 +76,15 @@ breaks(operations "circle.glsl:[0-9]+: surface uses Atan2" circle.glsl "float tu
     "float turn = atan(y, x)")
 breaks(operations "circle.glsl:[0-9]+: surface uses Sin" circle.glsl "float a2 = a * a" "float a2 = sin(a)")
 
+breaks(operations "closed_form.glsl:[0-9]+: closed_form uses Cos" closed_form.glsl "cosine = 2.0 * k * k - 1.0"
+    "cosine = cos(acos(k))")
+breaks(operations "closed_form.glsl:[0-9]+: closed_form: FMul is not precise" closed_form.glsl
+    "TORUS_PRECISE float cosine = " "float cosine = ")
+
+breaks(equations "closed_form.glsl: cites equation 99 of docs/math.md" closed_form.glsl "eq. 23)" "eq. 99)")
+breaks(equations "closed_form.glsl: mentions math.md [0-9]+ times" closed_form.glsl "math.md, eq. 23)" "math.md, 23)")
+breaks(equations "no function torusBetaSum" closed_form.glsl "float torusBetaSum(" "float torusBetaSums(")
+
 breaks(version "torus.glsl says 9.1.0" torus.glsl "VERSION_MAJOR 0" "VERSION_MAJOR 9")
 breaks(version "TORUS_VERSION_REQUIRED [0-9]+: result 0" torus.glsl "#error" "//")
 
@@ -86,6 +95,10 @@ breaks(contract "not in the contract: struct TorusHit" torus.glsl "    vec3 posi
 breaks(contract "not in the contract: float torusArea" torus.glsl "// The nearest hit."
     "float torusArea() { return 1.0; }")
 adds(contract "arithmetic.glsl: public, but not in torus.glsl" "float torusArea() { return 1.0; }")
+breaks(contract "in the contract, not declared: float torusBetaSum.TorusReducedRay ray" closed_form.glsl
+    "float torusBetaSum(TorusReducedRay ray)" "float torusBetaSum(TorusReducedRay line)")
+breaks(contract "closed_form.glsl: not in its contract: float torusArea" closed_form.glsl
+    "// A ray brought to R = 1" "float torusArea() { return 1.0; }\n// A ray brought to R = 1")
 
 # What belongs to the folder above, and to the examples.
 function(copy_shaders)
@@ -103,6 +116,18 @@ run_broken(rebuild "own.glsl changed: compiles \"\" instead of" "-DLIBRARY=${LIB
 copy_shaders()
 replace("${copy}/shaders/CompileShader.cmake" "--depfile" "--no-such-option")
 run_broken(rebuild "from nothing: the build fails" "-DLIBRARY=${LIBRARY}" "-DGENERATOR=${GENERATOR}")
+
+foreach(change IN ITEMS "tag{7}|tag{8}|equation 8 stands where 7 should"
+        "Identities.ZetaSolvesTheCubic|Identities.ZetaSolvesIt|no test Identities.ZetaSolvesIt")
+    string(REPLACE "|" ";" change "${change}")
+    list(GET change 0 old)
+    list(GET change 1 new)
+    list(GET change 2 expected)
+    math(EXPR count "${count} + 1")
+    file(COPY "${root}/docs/math.md" DESTINATION "${SCRATCH}/${count}")
+    replace("${SCRATCH}/${count}/math.md" "${old}" "${new}")
+    run_broken(equations "${expected}" "-DMATH=${SCRATCH}/${count}/math.md")
+endforeach()
 
 copy_shaders()
 replace("${copy}/examples/first_hit.frag" "Torus(1.0, 0.4)" "Torus(1.0)")

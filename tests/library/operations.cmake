@@ -5,16 +5,16 @@ include("${CMAKE_CURRENT_LIST_DIR}/common.cmake")
 
 # Of an instruction, what GLSL calls it: anything that is not named here is a fault.
 set(arithmetic "FAdd|FSub|FMul|FDiv|VectorTimesScalar")
-# Negation rounds nothing.
+# Negation rounds nothing, nor does a division of bit patterns.
 set(harmless "FNegate|\
 F(Ord|Unord)[A-Za-z]+|Logical[A-Za-z]+|Select|Phi|Label|Function|FunctionParameter|FunctionCall|Load|\
-AccessChain|Variable|Composite[A-Za-z]+|Bitcast|Bitwise[A-Za-z]+|IAdd|ISub|IEqual|INotEqual|S(Less|Greater)Than(Equal)?|\
+AccessChain|Variable|Composite[A-Za-z]+|Bitcast|Bitwise[A-Za-z]+|IAdd|ISub|UDiv|IEqual|INotEqual|S(Less|Greater)Than(Equal)?|\
 Constant[A-Za-z]*|Type[A-Za-z]+|String|ExtInstImport")
 
 # check(<name> <extended instructions allowed> <functions that must be in it> <statements of main>)
 function(check name allowed functions statements)
     set(shader "${SCRATCH}/${name}.comp")
-    file(WRITE "${shader}" "#version 450\n#extension GL_GOOGLE_include_directive : require\n#include \"torus.glsl\"
+    file(WRITE "${shader}" "#version 450\n#extension GL_GOOGLE_include_directive : require\n#include \"closed_form.glsl\"
 layout(set = 0, binding = 0, std430) buffer Values { float f[16]; int i; vec3 v; };
 void main() {
     Torus torus = Torus(f[0], f[1]);\n${statements}}\n")
@@ -70,5 +70,22 @@ check(surface "${decides}|Floor"
     torusTangents(torus, v, dPdu, dPdv);
     f[0] = torusDistance(torus, dPdu);
     f[1] = torusImplicit(torus, dPdv);
+")
+check(closed_form "${decides}" "torusQuarticCoefficients;torusClosedFormRoots;torusReducedRootsUnhalved;torusBetaSum"
+    "    vec3 origin = vec3(f[2], f[3], f[4]);
+    vec3 direction = vec3(f[5], f[6], f[7]);
+    float c[5];
+    float roots[4];
+    torusQuarticCoefficients(torus, origin, direction, c);
+    f[0] = c[0];
+    f[3] = c[4];
+    i = torusClosedFormRoots(torus, origin, direction, roots);
+    f[1] = roots[3];
+    TorusReducedRay ray;
+    if (torusReduceRay(torus, origin, direction, ray)) {
+        i = torusReducedRootsUnhalved(torusRadialQuartic(ray), roots);
+        f[2] = torusBetaSum(ray);
+        f[4] = roots[3];
+    }
 ")
 finish()
