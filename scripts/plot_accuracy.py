@@ -32,7 +32,8 @@ def merged(cells, key):
         table = tables.setdefault(key(cell), {})
         for upper, count in cell["position"]["histogram"]:
             table[upper] = table.get(upper, 0) + count
-        table["max"] = max(table.get("max", 0.0), cell["position"]["max"] or math.inf)
+        largest = cell["position"]["max"]  # null where it is infinite
+        table["max"] = max(table.get("max", 0.0), math.inf if largest is None else largest)
     return tables
 
 
