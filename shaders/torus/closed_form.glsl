@@ -88,7 +88,7 @@ void torusQuarticCoefficients(Torus torus, vec3 origin, vec3 direction, out floa
 }
 
 // Moves the origin to the point closest to the centre, which takes the cubic term away, and scales to R = 1 and a unit
-// direction (math.md, eq. 8). The shift is line.glsl's, exact from any distance.
+// direction (math.md, eq. 8). The shift is line.glsl's, exact from 10^8 R, too.
 //
 // returns    false, and zeros, where the ray passes the bounding sphere by, for bad input as in torus.glsl, for R = 0
 //            and for r > 100 R
