@@ -100,8 +100,8 @@ TorusHit torus_miss(float tMax) {
 // The nearest hit.
 //
 // torus      radii, in the caller's unit of length
-// origin     of the ray, in the torus' frame, up to 10^8 (R + r) away: the position of the hit stays exact to the
-//            torus' size, however far
+// origin     of the ray, in the torus' frame. From up to 10^8 (R + r) away the position of the hit is exact to the
+//            torus' size
 // tMin       start of the ray, in lengths of `direction`
 // direction  of the ray, of any length but zero
 // tMax       end of the ray; may be infinite
