@@ -93,8 +93,8 @@ TEST(ClosedFormErrata, TheSumStandsUnderTheCubeRoot) {
     const Quad two = cbrtq(Quad(2));
     int rays = 0;
     for (std::uint64_t i = 0; i < 1000; ++i) {
-        const reference::Ray ray =
-            generateRay(RayClass::camera, {{1, 0.5F}, 3.0, 0, test::freshSeed()}, i).ray;
+        // The same rays always: a shown example, not a search.
+        const reference::Ray ray = generateRay(RayClass::camera, {{1, 0.5F}, 3.0, 0, 23}, i).ray;
         Cxx::Ray reduced;
         if (!Cxx::reduceRay(1, 0.5, test::quads(ray.origin), test::quads(ray.direction), reduced)) {
             continue;
