@@ -1,25 +1,34 @@
 # SPDX-License-Identifier: MIT
 #
-# raytorus_compile_shaders(<target> NAMESPACE <namespace> SOURCES <file>...)
+# raytorus_compile_shaders(<target> NAMESPACE <namespace> SOURCES <file>... [INTERSECTOR <file>])
 #
 # Compiles GLSL entry points to SPIR-V and embeds them: <target> is a static library whose header, <target>.hpp,
 # declares <namespace>::find(name), with the file's name as it stands in SOURCES, without its folder. The modules lie
-# beside it in the build folder as <file>.spv. A change to an included file rebuilds exactly the shaders that include it.
+# beside it in the build folder as <file>.spv. INTERSECTOR lets another file than the library answer their rays, if
+# they include intersector.glsl. A change to an included file rebuilds exactly the shaders that include it.
 include_guard()
 
 function(raytorus_compile_shaders target)
-    cmake_parse_arguments(ARG "" "NAMESPACE" "SOURCES" ${ARGN})
+    cmake_parse_arguments(ARG "" "NAMESPACE;INTERSECTOR" "SOURCES" ${ARGN})
     find_package(Vulkan REQUIRED COMPONENTS glslangValidator)  # imported targets belong to the calling folder
     set(embed "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/EmbedSpirv.cmake")
     set(folder "${CMAKE_CURRENT_BINARY_DIR}/${target}")
     file(MAKE_DIRECTORY "${folder}")
+    set(options "-I${PROJECT_SOURCE_DIR}/shaders")
+    if(ARG_INTERSECTOR)
+        cmake_path(ABSOLUTE_PATH ARG_INTERSECTOR OUTPUT_VARIABLE path)
+        cmake_path(GET path PARENT_PATH include)
+        cmake_path(GET path FILENAME name)
+        file(CONFIGURE OUTPUT "${folder}/other_intersector.glsl" CONTENT "#include \"${name}\"\n")
+        list(APPEND options "-I${folder}" "-I${include}" -DOTHER_INTERSECTOR)
+    endif()
     set(modules "")
     foreach(source IN LISTS ARG_SOURCES)
         cmake_path(ABSOLUTE_PATH source OUTPUT_VARIABLE path)
         cmake_path(GET source FILENAME name)
         set(module "${folder}/${name}.spv")
         add_custom_command(OUTPUT "${module}"
-            COMMAND Vulkan::glslangValidator --quiet --target-env vulkan1.3 "-I${PROJECT_SOURCE_DIR}/shaders"
+            COMMAND Vulkan::glslangValidator --quiet --target-env vulkan1.3 ${options}
                     --depfile "${module}.d" -o "${module}" "${path}"
             DEPENDS "${path}" DEPFILE "${module}.d" VERBATIM COMMENT "Compiling shader ${name}")
         list(APPEND modules "${module}")

@@ -3,8 +3,8 @@
 #ifndef SCENE_GLSL
 #define SCENE_GLSL
 
+#include "intersector.glsl"
 #include "scene_io.h"
-#include "torus/torus.glsl"
 
 layout(constant_id = SCENE_CONSTANT_TORI) const int sceneTori = 1;
 layout(constant_id = SCENE_CONSTANT_STORAGE) const int sceneStorage = SCENE_STORAGE_UNIFORM;
@@ -125,7 +125,7 @@ SceneHit sceneIntersect(SceneRay ray, float tMin, float tMax) {
         vec3 origin = sceneToTorus(torus, ray.origin - sceneOriginOf(torus));
         vec3 direction = sceneToTorus(torus, ray.direction);
         TorusHit hit;
-        if (torusIntersect(Torus(torus.radii.x, torus.radii.y), origin, tMin, direction, nearest.t, hit)) {
+        if (RAY_INTERSECT(Torus(torus.radii.x, torus.radii.y), origin, tMin, direction, nearest.t, hit)) {
             nearest = SceneHit(index, hit.t, hit.position);
         }
     }
@@ -140,7 +140,7 @@ bool sceneOccluded(SceneRay ray, float tMin, float tMax) {
         SceneTorus torus = sceneTorus(index);
         vec3 origin = sceneToTorus(torus, ray.origin - sceneOriginOf(torus));
         vec3 direction = sceneToTorus(torus, ray.direction);
-        occluded = torusOccluded(Torus(torus.radii.x, torus.radii.y), origin, tMin, direction, tMax);
+        occluded = RAY_OCCLUDED(Torus(torus.radii.x, torus.radii.y), origin, tMin, direction, tMax);
     }
     return occluded;
 }
@@ -155,7 +155,7 @@ int sceneCount(SceneRay ray, float tMin, float tMax) {
         vec3 origin = sceneToTorus(torus, ray.origin - sceneOriginOf(torus));
         vec3 direction = sceneToTorus(torus, ray.direction);
         TorusHit hits[4];
-        count += torusIntersectAll(Torus(torus.radii.x, torus.radii.y), origin, tMin, direction, tMax, hits);
+        count += RAY_INTERSECT_ALL(Torus(torus.radii.x, torus.radii.y), origin, tMin, direction, tMax, hits);
     }
     return count;
 }

@@ -17,12 +17,13 @@ raytorus_add_tests(cli_tests
         program_render_test.cpp
         program_stats_test.cpp
         program_routes_test.cpp
+        program_method_test.cpp
         program_trace_test.cpp
         program_bulk_test.cpp
         program_compare_test.cpp
         program_doctor_test.cpp
         program_documentation_test.cpp
-    LIBRARIES raytorus::cli nlohmann_json::nlohmann_json)
+    LIBRARIES raytorus::cli raytorus::methods nlohmann_json::nlohmann_json)
 add_dependencies(cli_tests raytorus raytorus_cli_test_shaders)
 target_compile_definitions(cli_tests PRIVATE
     RAYTORUS_PROGRAM="$<TARGET_FILE:raytorus>"

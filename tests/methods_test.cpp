@@ -8,11 +8,15 @@
 
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <vector>
 
 #include "device_fixture.hpp"
+#include "image/comparison_text.hpp"
 #include "reference/rays.hpp"
+#include "render/renderer.hpp"
+#include "render/scene_json.hpp"
 #include "render/tracer.hpp"
 
 namespace raytorus {
@@ -53,7 +57,7 @@ Answers ask(const render::ShaderSource& source, const reference::Torus& torus,
 }
 
 Answers ask(const Method& method, const reference::Torus& torus, const std::vector<TraceRay>& rays) {
-    return ask(render::ShaderSource("trace.comp", method.module), torus, rays);
+    return ask(method.shaders, torus, rays);
 }
 
 struct Known {
@@ -92,11 +96,38 @@ std::vector<TraceRay> raysOf(std::span<const Known> known) {
 
 class EachMethod : public test::DeviceTest, public testing::WithParamInterface<Method> {};
 
-TEST_P(EachMethod, HasAModuleAndIsFoundByItsName) {
-    EXPECT_FALSE(GetParam().module.empty());
+TEST_P(EachMethod, HasShadersOfItsOwnAndIsFoundByItsName) {
     const Method* found = findMethod(GetParam().name);
     ASSERT_NE(found, nullptr);
     EXPECT_STREQ(found->description, GetParam().description);
+    const bool isLibrary = found == &methods().front();
+    for (const char* name : {"trace.comp", "scene.frag", "scene.comp", "fullscreen.vert"}) {
+        const bool intersects = std::string_view(name) != "fullscreen.vert";
+        const bool same = GetParam().shaders.load(name) == render::ShaderSource().load(name);
+        EXPECT_EQ(same, isLibrary || !intersects) << name;
+    }
+}
+
+// Close to thick rings all of them draw the same picture, but for edges; each by both routes the same.
+TEST_P(EachMethod, DrawsThePictureOfTheLibrary) {
+    const render::Scene scene =
+        render::readScene(std::filesystem::path(RAYTORUS_SOURCE_DIR) / "scenes" / "ring.json");
+    render::RenderOptions options;
+    options.width = 48;
+    options.height = 32;
+    const image::Image library = render::render(test::device(), scene, options).picture;
+    options.shaders = GetParam().shaders;
+    const image::Image fragment = render::render(test::device(), scene, options).picture;
+    options.route = render::Route::Compute;
+    EXPECT_EQ(fragment.pixels, render::render(test::device(), scene, options).picture.pixels);
+
+    image::CompareRules rules;
+    // t is up to 6 long here. Uv turns by a whole turn at its seam, and fields of the checker change at their
+    // edges, so some pixels may differ by more than the method is off.
+    rules.defaultRule.tolerance = 40 * GetParam().tolerance;
+    rules.allowedPixels = 48 * 32 / 50;
+    const image::Comparison comparison = image::compare(library, fragment, rules);
+    EXPECT_TRUE(comparison.passed()) << comparison.sentence << "\n" << image::numbersTable(comparison);
 }
 
 TEST_P(EachMethod, HitsWhereItMust) {

@@ -81,18 +81,18 @@ TEST_F(ProgramHelp, ShortOptionIsTheSame) {
 
 TEST_F(ProgramHelp, OfRender) {
     const std::string help = expectOk({"render", "--help"});
-    const std::set<std::string> expected = {"-h",         "--help",    "-o",       "--output", "--route",
-                                            "--size",     "--spp",     "--stats",  "--repeat", "--device",
-                                            "--validate", "--timeout", "--shaders"};
+    const std::set<std::string> expected = {"-h",       "--help",     "-o",        "--output", "--route",
+                                            "--method", "--size",     "--spp",     "--stats",  "--repeat",
+                                            "--device", "--validate", "--timeout", "--shaders"};
     EXPECT_EQ(optionsIn(help), expected);
     expectGoodExamples(help);
 }
 
 TEST_F(ProgramHelp, OfTrace) {
     const std::string help = expectOk({"trace", "--help"});
-    const std::set<std::string> expected = {"-h",         "--help",    "-o",       "--output",
-                                            "--torus",    "--all",     "--any",    "--device",
-                                            "--validate", "--timeout", "--shaders"};
+    const std::set<std::string> expected = {"-h",       "--help",     "-o",        "--output",
+                                            "--method", "--torus",    "--all",     "--any",
+                                            "--device", "--validate", "--timeout", "--shaders"};
     EXPECT_EQ(optionsIn(help), expected);
     expectGoodExamples(help);
 }

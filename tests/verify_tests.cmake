@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # The verifier: its judge and its statistics, and the program as users run it.
 find_package(nlohmann_json REQUIRED)
-raytorus_compile_shaders(raytorus_defective_shaders NAMESPACE raytorus::defective_shaders SOURCES defective/trace.comp)
+raytorus_compile_shaders(raytorus_defective_shaders NAMESPACE raytorus::defective_shaders
+    SOURCES "${PROJECT_SOURCE_DIR}/shaders/trace.comp" INTERSECTOR defective_intersector.glsl)
 
 raytorus_add_tests(verify_tests
     SOURCES

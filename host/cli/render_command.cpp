@@ -8,6 +8,7 @@
 
 #include "cli/command.hpp"
 #include "cli/device_options.hpp"
+#include "cli/method_option.hpp"
 #include "cli/number_text.hpp"
 #include "cli/progress.hpp"
 #include "cli/render_stats.hpp"
@@ -30,7 +31,8 @@ constexpr const char* footer = R"(The picture:
 Examples:
   raytorus render scenes/ring.json -o ring.png
   raytorus render scenes/chain.json -o chain.exr --route compute --stats text
-  raytorus render scenes/chain.json -o big.png --size 3840x2160 --spp 16)";
+  raytorus render scenes/chain.json -o big.png --size 3840x2160 --spp 16
+  raytorus render scenes/thin.json -o closed_form.png --method closed-form)";
 
 struct RenderCommand {
     std::string scene;
@@ -40,6 +42,7 @@ struct RenderCommand {
     std::string route = "fragment";
     std::string stats;
     render::RenderOptions options;
+    std::string method;
     DeviceOptions device;
 };
 
@@ -111,7 +114,7 @@ void readOptions(RenderCommand& command) {
                     fmt::format("--output must end in .exr or .png, not \"{}\"", command.output));
     }
     command.options.aovs = extension == ".exr";
-    command.options.shaders = command.device.shaders();
+    command.options.shaders = shadersOf(command.method, command.device);
 }
 
 ExitCode runRender(RenderCommand command) {
@@ -169,6 +172,7 @@ void addRenderCommand(CLI::App& app, Action& action) {
                     "Render so many times and let --stats show the fastest, without what happens only once")
         ->check(CLI::Range(1, 1000000))
         ->option_text("N [1]");
+    addMethodOption(*sub, command->method);
     addDeviceOptions(*sub, command->device);
     sub->footer(footer);
     sub->callback([command, &action] { action = [command] { return runRender(*command); }; });

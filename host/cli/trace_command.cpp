@@ -9,6 +9,7 @@
 
 #include "cli/command.hpp"
 #include "cli/device_options.hpp"
+#include "cli/method_option.hpp"
 #include "cli/number_text.hpp"
 #include "cli/progress.hpp"
 #include "cli/ray_file.hpp"
@@ -29,7 +30,8 @@ constexpr const char* footer =
 
 Examples:
   raytorus trace rays.csv -o hits.csv --torus 1,0.25
-  raytorus trace rays.bin -o hits.bin --torus 1640,6 --all)";
+  raytorus trace rays.bin -o hits.bin --torus 1640,6 --all
+  raytorus trace rays.csv -o hits.csv --torus 1,0.01 --method closed-form)";
 
 // Rays of one submission: large enough to keep a GPU busy, small enough that no watchdog minds.
 constexpr std::size_t chunkRays = std::size_t{1} << 20U;
@@ -40,6 +42,7 @@ struct TraceCommand {
     std::string torus;
     bool all = false;
     bool any = false;
+    std::string method;
     DeviceOptions device;
 };
 
@@ -67,12 +70,13 @@ ExitCode runTrace(const TraceCommand& command) {
     const render::Query query = command.all   ? render::Query::All
                                 : command.any ? render::Query::Any
                                               : render::Query::Nearest;
+    const render::ShaderSource shaders = shadersOf(command.method, command.device);
     refuseToOverwriteRays(command);
     RayReader reader(command.rays, formatOf(command.rays));
     HitWriter writer(command.hits, formatOf(command.hits), query);
     withDevice(command.device, [&](gpu::Context& context) {
         const std::size_t chunk = std::min(chunkRays, render::Tracer::maxCapacity(context, query));
-        render::Tracer tracer(context, query, chunk, command.device.shaders());
+        render::Tracer tracer(context, query, chunk, shaders);
         Progress progress("tracing");
         for (auto rays = reader.read(chunk); !rays.empty(); rays = reader.read(chunk)) {
             writer.write(tracer.trace(majorRadius, minorRadius, rays));
@@ -97,6 +101,7 @@ void addTraceCommand(CLI::App& app, Action& action) {
         ->option_text("R,r REQUIRED");
     CLI::Option* all = sub->add_flag("--all", command->all, "All hits of each ray, not only the nearest");
     sub->add_flag("--any", command->any, "Only whether there is a hit")->excludes(all);
+    addMethodOption(*sub, command->method);
     addDeviceOptions(*sub, command->device);
     sub->footer(footer);
     sub->callback([command, &action] { action = [command] { return runTrace(*command); }; });

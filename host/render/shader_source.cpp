@@ -12,11 +12,14 @@
 namespace raytorus::render {
 
 std::vector<std::uint32_t> ShaderSource::load(const std::string& name) const {
-    if (!replacedName.empty() && name == replacedName) {
-        return {replacement.begin(), replacement.end()};
-    }
     if (folder.empty()) {
-        const std::span<const std::uint32_t> words = shaders::find(name);
+        std::span<const std::uint32_t> words;
+        if (replacements != nullptr) {
+            words = replacements(name);
+        }
+        if (words.empty()) {
+            words = shaders::find(name);
+        }
         if (words.empty()) {
             throw Error(ExitCode::Internal, fmt::format("the shader {} is not built in", name));
         }

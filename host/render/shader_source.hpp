@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Where the host's shaders come from: built in, or from a folder, for trying a changed shader without a new
-// build, or one module put in the place of a built-in one, for comparing methods.
+// build, or others built in beside them, for comparing methods.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace raytorus::render {
@@ -18,17 +19,16 @@ public:
     /// `<folder>/<name>.spv` instead, for each shader that is asked for.
     explicit ShaderSource(std::filesystem::path shaderFolder) : folder(std::move(shaderFolder)) {}
 
-    /// `module` instead of the built-in shader `name`; the others built in. `module` must outlive this.
-    ShaderSource(std::string name, std::span<const std::uint32_t> module)
-        : replacedName(std::move(name)), replacement(module) {}
+    /// What `find` knows instead of the built-in shader of that name; it returns nothing for those to keep.
+    using Find = std::span<const std::uint32_t> (*)(std::string_view name);
+    explicit ShaderSource(Find find) : replacements(find) {}
 
     /// SPIR-V of a shader by file name ("scene.frag"). Throws Error{File} if the folder has no such file.
     [[nodiscard]] std::vector<std::uint32_t> load(const std::string& name) const;
 
 private:
     std::filesystem::path folder;  // empty: built in
-    std::string replacedName;
-    std::span<const std::uint32_t> replacement;
+    Find replacements = nullptr;
 };
 
 }  // namespace raytorus::render

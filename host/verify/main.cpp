@@ -93,12 +93,7 @@ ExitCode verifyAll(gpu::Context& context, Verifier& verifier, const VerifyOption
 ExitCode run(const VerifyOptions& options) {
     ExitCode code = ExitCode::Ok;
     cli::withDevice(options.device, [&](gpu::Context& context) {
-        // Changed shaders take the place of the library's own; the other methods are built in.
-        const bool own = options.method == methods().front().name;
-        const render::ShaderSource shaders =
-            own ? options.device.shaders()
-                : render::ShaderSource("trace.comp", findMethod(options.method)->module);
-        Verifier verifier(context, shaders, options.threads);
+        Verifier verifier(context, options.shaders, options.threads);
         if (options.replay) {
             const auto& [torus, ray] = *options.replay;
             const Verifier::Replay replay = verifier.replay(torus, ray);

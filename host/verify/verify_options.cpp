@@ -9,7 +9,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "bench/methods/methods.hpp"
+#include "cli/method_option.hpp"
 #include "core/error.hpp"
 
 namespace raytorus::verify {
@@ -33,14 +33,6 @@ std::string classNames() {
     std::string names;
     for (const reference::RayClass rayClass : reference::allRayClasses) {
         names += fmt::format("{}{}", names.empty() ? "" : " ", reference::nameOf(rayClass));
-    }
-    return names;
-}
-
-std::string methodNames() {
-    std::string names;
-    for (const Method& method : methods()) {
-        names += fmt::format("{}{}", names.empty() ? "" : " ", method.name);
     }
     return names;
 }
@@ -123,8 +115,7 @@ std::optional<VerifyOptions> parseOptions(const std::vector<std::string>& argume
         ->option_text("N [today]");
     app.add_option("--rows", rows, "What the table keeps apart: class, radius, distance or cell (both)")
         ->option_text("KEY [radius]");
-    app.add_option("--method", options.method, "Who answers: " + methodNames())
-        ->option_text("NAME [raytorus]");
+    cli::addMethodOption(app, options.method);
     app.add_option("--json", options.json, "Everything, histograms and worst rays too, into a file")
         ->option_text("FILE");
     app.add_option("--replay", replay,
@@ -148,10 +139,7 @@ std::optional<VerifyOptions> parseOptions(const std::vector<std::string>& argume
         options.cells.classes.push_back(parseClass(name));
     }
     requireSizes(options.cells);
-    if (findMethod(options.method) == nullptr) {
-        throw Error(ExitCode::Usage, fmt::format("--method: there is no method \"{}\" (there are {})",
-                                                 options.method, methodNames()));
-    }
+    options.shaders = cli::shadersOf(options.method, options.device);
     options.rows = rows.empty() ? Rows::Radius : parseRows(rows);
     options.seedOfTheDay = seed.empty() || seed == "today";
     options.seed = options.seedOfTheDay ? seedOfToday() : parseSeed(seed);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/methods/methods.hpp"
 #include "cli/device_options.hpp"
 #include "verify/report.hpp"
 
@@ -18,8 +19,9 @@ struct VerifyOptions {
     std::uint64_t seed = 0;
     bool seedOfTheDay = true;
     Rows rows = Rows::Radius;
-    std::string method = "raytorus";
-    std::string json;  ///< a file; empty: none
+    std::string method = methods().front().name;
+    render::ShaderSource shaders;  ///< the method's
+    std::string json;              ///< a file; empty: none
     std::optional<reference::TorusAndRay> replay;
     unsigned threads = 0;  ///< 0: as many as there are processors
     cli::DeviceOptions device;

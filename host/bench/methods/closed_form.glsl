@@ -116,4 +116,8 @@ bool closedFormFirst(torus_Line line, ClosedForm state, bool inside, float from,
 #define QUARTIC_FIRST closedFormFirst
 #include "quartic_hits.glsl"
 
+#define RAY_INTERSECT closedFormIntersect
+#define RAY_OCCLUDED closedFormOccluded
+#define RAY_INTERSECT_ALL closedFormIntersectAll
+
 #endif

@@ -173,4 +173,8 @@ int naiveIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, floa
     return count;
 }
 
+#define RAY_INTERSECT naiveIntersect
+#define RAY_OCCLUDED naiveOccluded
+#define RAY_INTERSECT_ALL naiveIntersectAll
+
 #endif

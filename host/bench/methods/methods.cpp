@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <array>
 
-#include "raytorus_method_shaders.hpp"
-#include "raytorus_shaders.hpp"
+#include "raytorus_method_closed_form.hpp"
+#include "raytorus_method_closed_form_naive.hpp"
+#include "raytorus_method_minima_first.hpp"
+#include "raytorus_method_newton_quartic.hpp"
+#include "raytorus_method_sphere_tracing.hpp"
 
 namespace raytorus {
 
@@ -19,17 +22,17 @@ constexpr double exact = 4e-7;
 std::span<const Method> methods() {
     static const std::array table{
         Method{"raytorus", "the library: Newton on the extrema of the tube function, bracketed roots",
-               shaders::find("trace.comp"), exact},
+               render::ShaderSource(), exact},
         Method{"newton-quartic", "monotone Newton on the convex and concave pieces of the reduced quartic",
-               method_shaders::find("newton_quartic.comp"), exact},
+               render::ShaderSource(newton_quartic::find), exact},
         Method{"minima-first", "signs at the closed-form minima of the reduced quartic, then Newton",
-               method_shaders::find("minima_first.comp"), exact},
-        Method{"closed-form", "the reduced quartic by its formula", method_shaders::find("closed_form.comp"),
+               render::ShaderSource(minima_first::find), exact},
+        Method{"closed-form", "the reduced quartic by its formula", render::ShaderSource(closed_form::find),
                exact},
         Method{"closed-form-naive", "the quartic of the ray in world space by its formula, in plain float32",
-               method_shaders::find("closed_form_naive.comp"), 2e-3},
+               render::ShaderSource(closed_form_naive::find), 2e-3},
         Method{"sphere-tracing", "marching along the distance to the surface, to 1e-4 r",
-               method_shaders::find("sphere_tracing.comp"), 1e-3},
+               render::ShaderSource(sphere_tracing::find), 1e-3},
     };
     return table;
 }
@@ -39,6 +42,14 @@ const Method* findMethod(std::string_view name) {
     const auto found =
         std::ranges::find(all, name, [](const Method& row) { return std::string_view(row.name); });
     return found == all.end() ? nullptr : &*found;
+}
+
+std::string methodNames() {
+    std::string names;
+    for (const Method& method : methods()) {
+        names += (names.empty() ? "" : " ") + std::string(method.name);
+    }
+    return names;
 }
 
 }  // namespace raytorus

@@ -195,4 +195,8 @@ bool minimaFirstOccluded(Torus torus, vec3 origin, float tMin, vec3 direction, f
     return insideLower != insideUpper || (insideLower ? gap : dip);
 }
 
+#define RAY_INTERSECT minimaFirstIntersect
+#define RAY_OCCLUDED minimaFirstOccluded
+#define RAY_INTERSECT_ALL minimaFirstIntersectAll
+
 #endif

@@ -96,4 +96,8 @@ bool newtonQuarticFirst(torus_Line line, NewtonQuartic state, bool inside, float
 #define QUARTIC_FIRST newtonQuarticFirst
 #include "quartic_hits.glsl"
 
+#define RAY_INTERSECT newtonQuarticIntersect
+#define RAY_OCCLUDED newtonQuarticOccluded
+#define RAY_INTERSECT_ALL newtonQuarticIntersectAll
+
 #endif

@@ -123,4 +123,8 @@ int sphereTracingIntersectAll(Torus torus, vec3 origin, float tMin, vec3 directi
     return count;
 }
 
+#define RAY_INTERSECT sphereTracingIntersect
+#define RAY_OCCLUDED sphereTracingOccluded
+#define RAY_INTERSECT_ALL sphereTracingIntersectAll
+
 #endif

@@ -1,13 +1,9 @@
-#version 460
-#extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// A trace.comp that is wrong on purpose, differently for each ray: what raytorus-verify has to notice.
+// An intersector that is wrong on purpose, differently for each ray: what raytorus-verify has to notice.
 
-#include "torus/torus.glsl"
-
-#define TRACE_INTERSECT defectiveIntersect
-#define TRACE_OCCLUDED defectiveOccluded
-#define TRACE_INTERSECT_ALL defectiveIntersectAll
+#define RAY_INTERSECT defectiveIntersect
+#define RAY_OCCLUDED defectiveOccluded
+#define RAY_INTERSECT_ALL defectiveIntersectAll
 
 // 0 to 7, by the ray.
 uint defectOf(vec3 origin) {
@@ -39,5 +35,3 @@ int defectiveIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, 
     }
     return defect == 6u ? max(count - 1, 0) : count;
 }
-
-#include "trace.glsl"
