@@ -19,6 +19,7 @@ COLOURS = {
     "closed-form-naive": "#c1440e",
     "sphere-tracing": "#7a3b9a",
     "closed-form": "#1f5fa8",
+    "closed-form-polished": "#1f5fa8",
     "newton-quartic": "#1f5fa8",
     "minima-first": "#1f5fa8",
 }

@@ -198,7 +198,7 @@ TEST_F(ProgramVerify, OtherMethodsHavePromisedNothing) {
     EXPECT_EQ(result.out.find("replay"), std::string::npos);
     expectUsageError({"--method", "magic"},
                      "--method: there is no method \"magic\" (there are raytorus newton-quartic minima-first "
-                     "closed-form closed-form-naive sphere-tracing)");
+                     "closed-form-polished closed-form closed-form-naive sphere-tracing)");
 }
 
 }  // namespace

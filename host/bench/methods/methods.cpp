@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "bench/methods/methods.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
 #include "raytorus_method_closed_form.hpp"
 #include "raytorus_method_closed_form_naive.hpp"
+#include "raytorus_method_closed_form_polished.hpp"
 #include "raytorus_method_minima_first.hpp"
 #include "raytorus_method_newton_quartic.hpp"
 #include "raytorus_method_sphere_tracing.hpp"
@@ -27,8 +30,11 @@ std::span<const Method> methods() {
                render::ShaderSource(newton_quartic::find), exact},
         Method{"minima-first", "signs at the closed-form minima of the reduced quartic, then Newton",
                render::ShaderSource(minima_first::find), exact},
-        Method{"closed-form", "the reduced quartic by its formula", render::ShaderSource(closed_form::find),
-               exact},
+        Method{"closed-form-polished",
+               "the reduced quartic by its formula, mended: polished resolvent, exact last step",
+               render::ShaderSource(closed_form_polished::find), exact},
+        Method{"closed-form", "the reduced quartic by its formula, as it stands in the library's derivation",
+               render::ShaderSource(closed_form::find), 2e-3},
         Method{"closed-form-naive", "the quartic of the ray in world space by its formula, in plain float32",
                render::ShaderSource(closed_form_naive::find), 2e-3},
         Method{"sphere-tracing", "marching along the distance to the surface, to 1e-4 r",
@@ -47,7 +53,7 @@ const Method* findMethod(std::string_view name) {
 std::string methodNames() {
     std::string names;
     for (const Method& method : methods()) {
-        names += (names.empty() ? "" : " ") + std::string(method.name);
+        names += fmt::format("{}{}", names.empty() ? "" : " ", method.name);
     }
     return names;
 }
