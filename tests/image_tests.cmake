@@ -11,6 +11,7 @@ raytorus_add_tests(image_tests
         image_file_error_test.cpp
         compare_test.cpp
         difference_test.cpp
+        manifest_test.cpp
         report_test.cpp
         compare_command_test.cpp
         # The command itself, without the program around it.
