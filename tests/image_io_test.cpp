@@ -189,6 +189,7 @@ TEST(ImageIo, PngOf16BitsIsReadAsStored) {
     const auto path = scratchFolder() / "deep.png";
     writeForeign(path, spec, OIIO::TypeDesc::UINT16, stored.data());
     const Image image = readImage(path);
+    EXPECT_EQ(image.sampleType, SampleType::Unsigned16);
     ASSERT_EQ(image.pixels.size(), stored.size());
     for (std::size_t i = 0; i < stored.size(); ++i) {
         EXPECT_EQ(image.pixels[i], static_cast<float>(stored[i]) / 65535.0f) << i;
@@ -200,6 +201,17 @@ TEST(ImageIo, HalfFloatExrIsReadExactly) {
     const auto path = scratchFolder() / "half.exr";
     writeForeign(path, OIIO::ImageSpec(4, 1, 1, OIIO::TypeDesc::HALF), OIIO::TypeDesc::FLOAT, values.data());
     EXPECT_EQ(readImage(path).pixels, values);
+    EXPECT_EQ(readImage(path).sampleType, SampleType::Float16);
+
+    // One channel of half floats is enough to make the image one.
+    OIIO::ImageSpec mixed(2, 1, 2, OIIO::TypeDesc::FLOAT);
+    mixed.channelformats = {OIIO::TypeDesc::FLOAT, OIIO::TypeDesc::HALF};
+    writeForeign(path, mixed, OIIO::TypeDesc::FLOAT, values.data());
+    EXPECT_EQ(readImage(path).sampleType, SampleType::Float16);
+    writeImage(path, readImage(path));  // what we write is float32
+    EXPECT_EQ(readImage(path).sampleType, SampleType::Float32);
+    writeImage(path.parent_path() / "flat.png", Image(2, 1, {"R", "G", "B"}));
+    EXPECT_EQ(readImage(path.parent_path() / "flat.png").sampleType, SampleType::Unsigned8);
 }
 
 TEST(ImageIo, FilesThatAreMoreThanAPlainImageAreRefused) {

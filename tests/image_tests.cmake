@@ -10,6 +10,8 @@ raytorus_add_tests(image_tests
         image_io_test.cpp
         image_file_error_test.cpp
         compare_test.cpp
+        compare_truth_test.cpp
+        comparison_text_test.cpp
         difference_test.cpp
         manifest_test.cpp
         report_test.cpp

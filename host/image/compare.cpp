@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The gates: shape, then non-finite values, then bits, then the rule for each pixel, then clusters.
+// The gates: shape, then non-finite values, then bits, then what a truth promises exactly, then the rule for
+// each pixel, then clusters, then flips.
 #include "image/compare.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
+#include <span>
 
+#include "image/channel_judge.hpp"
 #include "image/comparison_text.hpp"
 
 namespace raytorus::image {
@@ -32,28 +36,40 @@ NonFiniteValues findNonFinite(const Image& image) {
 
 // Sums a value into its channel; says whether it is over its limit. meanDifference and rmsDifference are sums
 // until finishChannel().
-bool addValue(ChannelComparison& channel, float expected, float actual, Pixel pixel) {
-    if (std::bit_cast<std::uint32_t>(expected) == std::bit_cast<std::uint32_t>(actual)) {
+bool addValue(ChannelComparison& channel, const ChannelJudge& judge, std::span<const float> expectedPixel,
+              std::span<const float> actualPixel, Pixel pixel) {
+    ++channel.judged;
+    const double difference = judge.difference(expectedPixel, actualPixel);
+    if (difference == 0.0) {
         return false;
     }
-    ++channel.bitDifferent;
-    const double difference = std::abs(static_cast<double>(actual) - static_cast<double>(expected));
     channel.meanDifference += difference;
     channel.rmsDifference += difference * difference;
-    if (difference > channel.maxDifference || channel.bitDifferent == 1) {
+    if (difference > channel.maxDifference) {
         channel.maxDifference = difference;
         channel.maxPixel = pixel;
-        channel.expectedAtMax = expected;
-        channel.actualAtMax = actual;
+        channel.expectedAtMax = expectedPixel[judge.expected];
+        channel.actualAtMax = actualPixel[judge.actual];
     }
-    const bool over = !(difference <= channel.rule.limit(expected));
+    const double limit = judge.limit(expectedPixel);
+    const double ratio = limit > 0.0 ? difference / limit : std::numeric_limits<double>::infinity();
+    if (ratio > channel.maxRatio) {
+        channel.maxRatio = ratio;
+        channel.maxRatioPixel = pixel;
+    }
+    const bool over = !(difference <= limit);
     channel.overLimit += over ? 1 : 0;
     return over;
 }
 
-void finishChannel(ChannelComparison& channel, double pixelCount) {
-    channel.meanDifference /= pixelCount;
-    channel.rmsDifference = std::sqrt(channel.rmsDifference / pixelCount);
+void finishChannel(ChannelComparison& channel) {
+    const double count = static_cast<double>(std::max<std::int64_t>(channel.judged, 1));
+    channel.meanDifference /= count;
+    channel.rmsDifference = std::sqrt(channel.rmsDifference / count);
+}
+
+bool bitsDiffer(float one, float other) {
+    return std::bit_cast<std::uint32_t>(one) != std::bit_cast<std::uint32_t>(other);
 }
 
 // The square with the most marked pixels. Sums slide, so the time does not grow with the square.
@@ -84,33 +100,85 @@ void findWorstWindow(Comparison& result, const std::vector<std::uint8_t>& marks)
     }
 }
 
+// The margins of a truth, and for each judge the place of its own among them.
+struct Margins {
+    std::vector<std::size_t> channels;  // of the expected image
+    std::vector<std::optional<std::size_t>> places;
+};
+
+Margins findMargins(std::span<const ChannelJudge> judges) {
+    Margins margins;
+    for (const ChannelJudge& judge : judges) {
+        std::optional<std::size_t>& place = margins.places.emplace_back();
+        if (judge.margin) {
+            const auto found = std::ranges::find(margins.channels, *judge.margin);
+            place = static_cast<std::size_t>(found - margins.channels.begin());
+            if (found == margins.channels.end()) {
+                margins.channels.push_back(*judge.margin);
+            }
+        }
+    }
+    return margins;
+}
+
+void addMarginalPixel(Comparison& result, const Margins& margins, std::span<const float> expectedPixel,
+                      std::span<const std::uint8_t> flipped, Pixel pixel) {
+    bool any = false;
+    for (std::size_t i = 0; i < flipped.size(); ++i) {
+        MarginalPixels& group = result.margins[i];
+        group.count += expectedPixel[margins.channels[i]] < 1.0f ? 1 : 0;
+        if (flipped[i] != 0 && group.flips++ == 0) {
+            group.firstFlip = pixel;
+        }
+        any |= flipped[i] != 0;
+    }
+    result.flippedPixels += any ? 1 : 0;
+}
+
 void compareValues(Comparison& result, const Image& expected, const Image& actual,
-                   const std::vector<std::size_t>& actualChannel) {
+                   std::span<const ChannelJudge> judges) {
     result.width = expected.width;
     result.height = expected.height;
-    for (const std::string& name : expected.channelNames) {
+    for (const ChannelJudge& judge : judges) {
         ChannelComparison& channel = result.channels.emplace_back();
-        channel.name = name;
-        channel.rule = result.rules.ruleFor(name);
+        channel.name = judge.name;
+        channel.rule = judge.rule;
+        channel.exact = judge.exact;
+        channel.perPixel = judge.tolerance.has_value();
+    }
+    const Margins margins = findMargins(judges);
+    for (const std::size_t channel : margins.channels) {
+        result.margins.emplace_back().margin = expected.channelNames[channel];
     }
     std::vector<std::uint8_t> marks;
     marks.reserve(static_cast<std::size_t>(expected.width) * static_cast<std::size_t>(expected.height));
+    std::vector<std::uint8_t> flipped(margins.channels.size());
     for (int y = 0; y < expected.height; ++y) {
         for (int x = 0; x < expected.width; ++x) {
-            const std::span<const float> expectedValues = expected.pixel(x, y);
-            const std::span<const float> actualValues = actual.pixel(x, y);
+            const std::span<const float> expectedPixel = expected.pixel(x, y);
+            const std::span<const float> actualPixel = actual.pixel(x, y);
             bool over = false;
-            for (std::size_t channel = 0; channel < expectedValues.size(); ++channel) {
-                over |= addValue(result.channels[channel], expectedValues[channel],
-                                 actualValues[actualChannel[channel]], {x, y});
+            std::ranges::fill(flipped, std::uint8_t{0});
+            for (std::size_t i = 0; i < judges.size(); ++i) {
+                const ChannelJudge& judge = judges[i];
+                ChannelComparison& channel = result.channels[i];
+                channel.bitDifferent +=
+                    bitsDiffer(expectedPixel[judge.expected], actualPixel[judge.actual]) ? 1 : 0;
+                if (!judge.marginal(expectedPixel)) {
+                    over |= addValue(channel, judge, expectedPixel, actualPixel, {x, y});
+                } else if (judge.difference(expectedPixel, actualPixel) > judge.limit(expectedPixel)) {
+                    flipped[*margins.places[i]] = 1;
+                }
             }
+            addMarginalPixel(result, margins, expectedPixel, flipped, {x, y});
             result.overLimitPixels += over ? 1 : 0;
             marks.push_back(over ? 1 : 0);
         }
     }
     for (ChannelComparison& channel : result.channels) {
-        finishChannel(channel, static_cast<double>(marks.size()));
+        finishChannel(channel);
         result.bitDifferentValues += channel.bitDifferent;
+        result.inexactValues += channel.exact ? channel.overLimit : 0;
     }
     findWorstWindow(result, marks);
 }
@@ -119,9 +187,11 @@ Verdict verdictOf(const Comparison& result) {
     if (result.bitDifferentValues == 0) {
         return Verdict::Identical;
     }
-    const bool clustered = result.rules.windowLimit && result.worstWindowCount > *result.rules.windowLimit;
-    return result.overLimitPixels > result.rules.allowedPixels || clustered ? Verdict::Differ
-                                                                            : Verdict::Agree;
+    const CompareRules& rules = result.rules;
+    const bool differ = result.inexactValues > 0 || result.overLimitPixels > rules.allowedPixels ||
+                        (rules.windowLimit && result.worstWindowCount > *rules.windowLimit) ||
+                        (rules.allowedFlips && result.flippedPixels > *rules.allowedFlips);
+    return differ ? Verdict::Differ : Verdict::Agree;
 }
 
 }  // namespace
@@ -141,36 +211,21 @@ ExitCode Comparison::exitCode() const {
     return ExitCode::Internal;
 }
 
-std::vector<std::size_t> matchChannels(const Image& expected, const Image& actual) {
-    std::vector<std::size_t> match;
-    if (expected.width != actual.width || expected.height != actual.height ||
-        expected.channelNames.size() != actual.channelNames.size()) {
-        return match;
-    }
-    for (const std::string& name : expected.channelNames) {
-        const int index = actual.channelIndex(name);
-        if (index < 0) {
-            return {};
-        }
-        match.push_back(static_cast<std::size_t>(index));
-    }
-    return match;
-}
-
 Comparison compare(const Image& expected, const Image& actual, const CompareRules& rules) {
     Comparison result;
     result.rules = rules;
-    const std::vector<std::size_t> actualChannel = matchChannels(expected, actual);
-    if (actualChannel.empty()) {
+    const std::vector<ChannelJudge> judges = channelJudges(expected, actual, rules);
+    if (judges.empty()) {
         result.verdict = Verdict::SizeDiffers;
     } else {
-        checkRules(rules, expected.channelNames);
+        result.againstTruth = judges.size() < expected.channelNames.size();
+        checkRules(rules, actual.channelNames, result.againstTruth);
         result.expectedNonFinite = findNonFinite(expected);
         result.actualNonFinite = findNonFinite(actual);
         if (result.expectedNonFinite.count + result.actualNonFinite.count > 0) {
             result.verdict = Verdict::NonFinite;
         } else {
-            compareValues(result, expected, actual, actualChannel);
+            compareValues(result, expected, actual, judges);
             result.verdict = verdictOf(result);
         }
     }

@@ -15,7 +15,7 @@ namespace raytorus::image {
 
 /// In the order in which the gates are passed: the first that does not open gives the verdict.
 enum class Verdict {
-    SizeDiffers,  ///< another width, height or set of channels: nothing was compared
+    SizeDiffers,  ///< another width, height, sample type or set of channels: nothing was compared
     NonFinite,    ///< NaN or infinity in one of the images, the expected one included: nothing was compared
     Identical,    ///< the same bits everywhere
     Agree,        ///< not the same bits, but within the rules
@@ -37,18 +37,32 @@ struct NonFiniteValues {
     float value = 0.0f;
 };
 
-/// One channel of both images. Differences are formed in double precision.
+/// One channel of both images. Differences are formed in double precision. Against a truth, those of marginal
+/// pixels are left out of all but bitDifferent.
 struct ChannelComparison {
     std::string name;
     CompareRule rule;
+    bool exact = false;       ///< the truth promises the value itself
+    bool perPixel = false;    ///< the truth gives each pixel a tolerance, besides the rule
+    std::int64_t judged = 0;  ///< values that were held to their limits
     double maxDifference = 0.0;
     Pixel maxPixel;  ///< where the largest difference is, the first such place
     float expectedAtMax = 0.0f;
     float actualAtMax = 0.0f;
-    double meanDifference = 0.0;  ///< of the absolute differences of all pixels
+    double maxRatio = 0.0;        ///< the largest of difference / limit; infinite where the limit is 0
+    Pixel maxRatioPixel;          ///< where it is, the first such place
+    double meanDifference = 0.0;  ///< of the absolute differences
     double rmsDifference = 0.0;
     std::int64_t overLimit = 0;     ///< values that do not agree
     std::int64_t bitDifferent = 0;  ///< values of which any bit differs: -0 and +0 do
+};
+
+/// The pixels where a truth leaves open what a group of channels is.
+struct MarginalPixels {
+    std::string margin;      ///< the channel that says so
+    std::int64_t count = 0;  ///< where it is below 1
+    std::int64_t flips = 0;  ///< of those, where any channel of the group is over its limit
+    Pixel firstFlip;         ///< by rows, then columns
 };
 
 struct Comparison {
@@ -63,8 +77,12 @@ struct Comparison {
     int width = 0;
     int height = 0;
     std::vector<ChannelComparison> channels;  ///< in the order of the expected image
+    std::vector<MarginalPixels> margins;      ///< of a truth, each of its margins
+    bool againstTruth = false;                ///< the expected image is a truth, the actual one is none
     std::int64_t bitDifferentValues = 0;
-    std::int64_t overLimitPixels = 0;   ///< pixels with any channel over its limit
+    std::int64_t inexactValues = 0;    ///< values over their limits where the truth promises the value itself
+    std::int64_t flippedPixels = 0;    ///< pixels with a flip in any group
+    std::int64_t overLimitPixels = 0;  ///< pixels with any channel over its limit
     std::int64_t worstWindowCount = 0;  ///< the most of them in any windowSize x windowSize square
     Pixel worstWindow;                  ///< top left corner of the first such square
 
@@ -72,12 +90,11 @@ struct Comparison {
     [[nodiscard]] ExitCode exitCode() const;
 };
 
-/// Compares channel by channel, by name: the order of channels does not matter. Throws Error{ExitCode::Usage}
-/// for rules that make no sense; everything that can be wrong with the images is in the verdict.
+/// Compares channel by channel, by name: the order of channels does not matter. An expected image that is a
+/// truth (image/channel_judge.hpp) is one: no pixel that it is sure of may break its exact promises, however
+/// many are allowed; and where it leaves the verdict open, a difference is a flip, counted apart. Throws
+/// Error{ExitCode::Usage} for rules that make no sense; everything that can be wrong with the images is in
+/// the verdict.
 [[nodiscard]] Comparison compare(const Image& expected, const Image& actual, const CompareRules& rules);
-
-/// For every channel of `expected`, the index of the channel of the same name in `actual`. Empty when the two
-/// do not have the same width, height and set of channels.
-[[nodiscard]] std::vector<std::size_t> matchChannels(const Image& expected, const Image& actual);
 
 }  // namespace raytorus::image

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A comparison as JSON, for programs.
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
@@ -17,6 +18,10 @@ Json valueJson(float value) {
     return isFinite(value) ? Json(value) : Json(valueText(value));
 }
 
+Json ratioJson(double ratio) {
+    return std::isfinite(ratio) ? Json(ratio) : Json("+Inf");
+}
+
 Json nonFiniteJson(const NonFiniteValues& values) {
     Json json = {{"count", values.count}};
     if (values.count > 0) {
@@ -31,14 +36,28 @@ Json channelJson(const ChannelComparison& channel) {
     return {{"name", channel.name},
             {"tolerance", channel.rule.tolerance},
             {"relativeTolerance", channel.rule.relativeTolerance},
+            {"ulps", channel.rule.ulps},
+            {"exact", channel.exact},
+            {"perPixel", channel.perPixel},
+            {"judged", channel.judged},
             {"maxDifference", channel.maxDifference},
             {"maxPixel", {channel.maxPixel.x, channel.maxPixel.y}},
             {"expectedAtMax", valueJson(channel.expectedAtMax)},
             {"actualAtMax", valueJson(channel.actualAtMax)},
+            {"maxRatio", ratioJson(channel.maxRatio)},
+            {"maxRatioPixel", {channel.maxRatioPixel.x, channel.maxRatioPixel.y}},
             {"meanDifference", channel.meanDifference},
             {"rmsDifference", channel.rmsDifference},
             {"overLimit", channel.overLimit},
             {"bitDifferent", channel.bitDifferent}};
+}
+
+Json marginJson(const MarginalPixels& group) {
+    Json json = {{"margin", group.margin}, {"marginal", group.count}, {"flips", group.flips}};
+    if (group.flips > 0) {
+        json["firstFlip"] = {group.firstFlip.x, group.firstFlip.y};
+    }
+    return json;
 }
 
 }  // namespace
@@ -60,6 +79,12 @@ std::string jsonText(const Comparison& comparison) {
         json["windowLimit"] = comparison.rules.windowLimit ? Json(*comparison.rules.windowLimit) : Json();
         json["worstWindowCount"] = comparison.worstWindowCount;
         json["worstWindow"] = {comparison.worstWindow.x, comparison.worstWindow.y};
+        json["againstTruth"] = comparison.againstTruth;
+        json["inexactValues"] = comparison.inexactValues;
+        json["flippedPixels"] = comparison.flippedPixels;
+        json["allowedFlips"] = comparison.rules.allowedFlips ? Json(*comparison.rules.allowedFlips) : Json();
+        json["margins"] = Json::array();
+        std::ranges::transform(comparison.margins, std::back_inserter(json["margins"]), marginJson);
         json["bitDifferentValues"] = comparison.bitDifferentValues;
         json["channels"] = Json::array();
         std::ranges::transform(comparison.channels, std::back_inserter(json["channels"]), channelJson);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <string_view>
 #include <utility>
@@ -26,7 +27,25 @@ std::string shapeText(const Image& image) {
                        fmt::join(image.channelNames, ", "));
 }
 
+const char* sampleTypeText(SampleType type) {
+    switch (type) {
+        case SampleType::Float32:
+            return "32 bit floats";
+        case SampleType::Float16:
+            return "16 bit floats";
+        case SampleType::Unsigned8:
+            return "8 bit integers";
+        case SampleType::Unsigned16:
+            return "16 bit integers";
+    }
+    return "unknown values";
+}
+
 std::string sizeSentence(const Image& expected, const Image& actual) {
+    if (expected.sampleType != actual.sampleType) {
+        return fmt::format("The images cannot be compared: the expected one holds {}, the actual one {}.",
+                           sampleTypeText(expected.sampleType), sampleTypeText(actual.sampleType));
+    }
     return fmt::format("The images cannot be compared: the expected one has {}, the actual one {}.",
                        shapeText(expected), shapeText(actual));
 }
@@ -49,40 +68,88 @@ std::string nonFiniteSentence(const Comparison& comparison) {
     return fmt::format("The images cannot be compared: {}.", fmt::join(parts, ", and "));
 }
 
-// The channel to speak of: the largest difference among those over their limits, or among all when none is.
+// The channel to speak of: the worst among those over their limits, or among all when none is. What is worst
+// is told by the limits of a truth, and by the differences themselves where one limit is for all.
 const ChannelComparison& worstChannel(const Comparison& comparison) {
-    return *std::ranges::max_element(comparison.channels, {}, [](const ChannelComparison& channel) {
-        return std::pair(channel.overLimit > 0, channel.maxDifference);
+    return *std::ranges::max_element(comparison.channels, {}, [&](const ChannelComparison& channel) {
+        return std::pair(channel.overLimit > 0,
+                         comparison.againstTruth ? channel.maxRatio : channel.maxDifference);
     });
 }
 
 std::string largestPart(const Comparison& comparison) {
     const ChannelComparison& worst = worstChannel(comparison);
+    if (comparison.againstTruth && std::isfinite(worst.maxRatio)) {
+        return fmt::format("the largest difference is {:.3g} times the tolerance in channel {} at pixel {}",
+                           worst.maxRatio, worst.name, pixelText(worst.maxRatioPixel));
+    }
     return fmt::format("the largest difference is {:.3g} in channel {} at pixel {}", worst.maxDifference,
                        worst.name, pixelText(worst.maxPixel));
 }
 
-std::string agreeSentence(const Comparison& comparison) {
-    if (comparison.overLimitPixels == 0) {
-        return fmt::format("The images agree within the tolerance: {}.", largestPart(comparison));
+std::int64_t marginalPixels(const Comparison& comparison) {
+    std::int64_t most = 0;
+    for (const MarginalPixels& group : comparison.margins) {
+        most = std::max(most, group.count);
     }
-    return fmt::format("The images agree: {} over the tolerance, {} allowed, and {}.",
-                       counted(comparison.overLimitPixels, "pixel"), comparison.rules.allowedPixels,
-                       largestPart(comparison));
+    return most;
 }
 
+// Nothing where there is nothing to flip.
+std::string flipsPart(const Comparison& comparison) {
+    return marginalPixels(comparison) == 0
+               ? std::string()
+               : fmt::format(", and {} flipped", counted(comparison.flippedPixels, "marginal pixel"));
+}
+
+std::string agreeSentence(const Comparison& comparison) {
+    if (comparison.overLimitPixels == 0) {
+        return fmt::format("The images agree within the tolerance: {}{}.", largestPart(comparison),
+                           flipsPart(comparison));
+    }
+    return fmt::format("The images agree: {} over the tolerance, {} allowed, and {}{}.",
+                       counted(comparison.overLimitPixels, "pixel"), comparison.rules.allowedPixels,
+                       largestPart(comparison), flipsPart(comparison));
+}
+
+std::string inexactSentence(const Comparison& comparison) {
+    const ChannelComparison& channel = *std::ranges::find_if(
+        comparison.channels,
+        [](const ChannelComparison& candidate) { return candidate.exact && candidate.overLimit > 0; });
+    return fmt::format(
+        "The images differ: {} not what the truth is sure of, the worst {} instead of {} in "
+        "channel {} at pixel {}.",
+        counted(comparison.inexactValues, "value") + (comparison.inexactValues == 1 ? " is" : " are"),
+        valueText(channel.actualAtMax), valueText(channel.expectedAtMax), channel.name,
+        pixelText(channel.maxPixel));
+}
+
+std::string flipsSentence(const Comparison& comparison) {
+    const MarginalPixels& group = *std::ranges::max_element(comparison.margins, {}, &MarginalPixels::flips);
+    return fmt::format("The images differ: {} flipped, {} allowed, the first of {} at pixel {}.",
+                       counted(comparison.flippedPixels, "marginal pixel"),
+                       comparison.rules.allowedFlips.value_or(0), group.margin, pixelText(group.firstFlip));
+}
+
+// The reasons in the order of the gates.
 std::string differSentence(const Comparison& comparison) {
-    if (comparison.overLimitPixels > comparison.rules.allowedPixels) {
+    const CompareRules& rules = comparison.rules;
+    if (comparison.inexactValues > 0) {
+        return inexactSentence(comparison);
+    }
+    if (comparison.overLimitPixels > rules.allowedPixels) {
         return fmt::format("The images differ: {} of {} over the tolerance, {} allowed, and {}.",
                            counted(comparison.overLimitPixels, "pixel"),
-                           std::int64_t{comparison.width} * comparison.height, comparison.rules.allowedPixels,
+                           std::int64_t{comparison.width} * comparison.height, rules.allowedPixels,
                            largestPart(comparison));
     }
-    return fmt::format(
-        "The images differ: {} over the tolerance in the {} x {} window at {}, {} allowed, and {}.",
-        counted(comparison.worstWindowCount, "pixel"), comparison.rules.windowSize,
-        comparison.rules.windowSize, pixelText(comparison.worstWindow),
-        comparison.rules.windowLimit.value_or(0), largestPart(comparison));
+    if (rules.windowLimit && comparison.worstWindowCount > *rules.windowLimit) {
+        return fmt::format(
+            "The images differ: {} over the tolerance in the {} x {} window at {}, {} allowed, and {}.",
+            counted(comparison.worstWindowCount, "pixel"), rules.windowSize, rules.windowSize,
+            pixelText(comparison.worstWindow), *rules.windowLimit, largestPart(comparison));
+    }
+    return flipsSentence(comparison);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The numbers of a comparison as aligned columns.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -11,20 +12,38 @@ namespace raytorus::image {
 
 namespace {
 
-std::string ruleText(const CompareRule& rule) {
-    return rule.relativeTolerance > 0.0
-               ? fmt::format("{:g} or {:g} rel", rule.tolerance, rule.relativeTolerance)
-               : fmt::format("{:g}", rule.tolerance);
+// "exact", "1e-05", "0 or 4 ulp", "per pixel", "per pixel or 1e-05".
+std::string ruleText(const ChannelComparison& channel) {
+    const CompareRule& rule = channel.rule;
+    std::vector<std::string> limits;
+    if (channel.perPixel) {
+        limits.emplace_back("per pixel");
+    }
+    if (rule.tolerance > 0.0) {
+        limits.push_back(fmt::format("{:g}", rule.tolerance));
+    }
+    if (rule.relativeTolerance > 0.0) {
+        limits.push_back(fmt::format("{:g} rel", rule.relativeTolerance));
+    }
+    if (rule.ulps > 0) {
+        limits.push_back(fmt::format("{} ulp", rule.ulps));
+    }
+    if (limits.empty()) {
+        return channel.exact ? "exact" : "0";
+    }
+    return fmt::format("{}", fmt::join(limits, " or "));
 }
 
 NumberRow channelRow(const ChannelComparison& channel) {
-    const bool differs = channel.bitDifferent > 0;
+    const bool differs = channel.maxDifference > 0.0;
     return {channel.name,
-            ruleText(channel.rule),
+            ruleText(channel),
             fmt::format("{:.4g}", channel.maxDifference),
             differs ? pixelText(channel.maxPixel) : "-",
             differs ? valueText(channel.expectedAtMax) : "-",
             differs ? valueText(channel.actualAtMax) : "-",
+            fmt::format("{:.3g}", channel.maxRatio),
+            differs ? pixelText(channel.maxRatioPixel) : "-",
             fmt::format("{:.4g}", channel.meanDifference),
             fmt::format("{:.4g}", channel.rmsDifference),
             fmt::format("{}", channel.overLimit),
@@ -54,7 +73,7 @@ std::string alignedText(const std::vector<NumberRow>& rows) {
 
 std::vector<NumberRow> numberRows(const Comparison& comparison) {
     std::vector<NumberRow> rows = {{"channel", "tolerance", "max diff", "at", "expected", "actual",
-                                    "mean diff", "rms diff", "over", "other bits"}};
+                                    "of limit", "at", "mean diff", "rms diff", "over", "other bits"}};
     std::ranges::transform(comparison.channels, std::back_inserter(rows), channelRow);
     return rows;
 }
@@ -70,9 +89,31 @@ std::string countsLine(const Comparison& comparison) {
         comparison.bitDifferentValues, comparison.bitDifferentValues == 1 ? "value has" : "values have");
 }
 
+std::vector<std::string> marginLines(const Comparison& comparison) {
+    std::vector<std::string> lines;
+    for (const MarginalPixels& group : comparison.margins) {
+        lines.push_back(fmt::format("{}: {} marginal, {} flipped{}", group.margin, group.count, group.flips,
+                                    group.flips > 0 ? ", first at " + pixelText(group.firstFlip) : ""));
+    }
+    if (!lines.empty()) {
+        lines.push_back(fmt::format("{} {} flipped in any of them ({} allowed)", comparison.flippedPixels,
+                                    comparison.flippedPixels == 1 ? "pixel" : "pixels",
+                                    comparison.rules.allowedFlips
+                                        ? fmt::format("{}", *comparison.rules.allowedFlips)
+                                        : std::string("all")));
+    }
+    return lines;
+}
+
 std::string numbersTable(const Comparison& comparison) {
-    return comparison.channels.empty() ? std::string()
-                                       : alignedText(numberRows(comparison)) + countsLine(comparison) + "\n";
+    if (comparison.channels.empty()) {
+        return {};
+    }
+    std::string text = alignedText(numberRows(comparison)) + countsLine(comparison) + "\n";
+    for (const std::string& line : marginLines(comparison)) {
+        text += line + "\n";
+    }
+    return text;
 }
 
 }  // namespace raytorus::image

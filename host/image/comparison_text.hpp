@@ -24,13 +24,16 @@ namespace raytorus::image {
                                           const Image& actual);
 
 /// The numbers of one channel, as text: the cells of a table.
-using NumberRow = std::array<std::string, 10>;
+using NumberRow = std::array<std::string, 12>;
 
 /// A row of headings, then a row for each channel.
 [[nodiscard]] std::vector<NumberRow> numberRows(const Comparison& comparison);
 
 /// What is counted over all channels, in one line.
 [[nodiscard]] std::string countsLine(const Comparison& comparison);
+
+/// Against a truth, a line for each of its margins and one for all of them; else none.
+[[nodiscard]] std::vector<std::string> marginLines(const Comparison& comparison);
 
 /// The numbers as lines of aligned columns, each ending in a newline. Empty when the images were not
 /// compared.

@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "core/error.hpp"
-#include "image/compare.hpp"
+#include "image/channel_judge.hpp"
 #include "image/srgb.hpp"
 
 namespace raytorus::image {
@@ -23,6 +23,7 @@ constexpr Colour lightBlue = {96, 160, 255};
 constexpr Colour orange = {255, 112, 0};
 constexpr Colour yellow = {255, 224, 64};
 constexpr Colour white = {255, 255, 255};
+constexpr Colour green = {64, 192, 96};
 constexpr Colour magenta = {255, 0, 255};
 
 // How many powers of ten over the limit the colours from orange to white show.
@@ -57,42 +58,44 @@ Colour ramp(double position, bool overLimit) {
     return t < 0.5 ? between(orange, yellow, 2.0 * t) : between(yellow, white, 2.0 * t - 1.0);
 }
 
-Colour pixelColour(std::span<const float> expected, std::span<const float> actual,
-                   std::span<const std::size_t> actualChannel, std::span<const CompareRule> rules) {
+Colour pixelColour(std::span<const float> expectedPixel, std::span<const float> actualPixel,
+                   std::span<const ChannelJudge> judges) {
     double worst = 0.0;
     bool overLimit = false;
-    for (std::size_t channel = 0; channel < expected.size(); ++channel) {
-        const float expectedValue = expected[channel];
-        const float actualValue = actual[actualChannel[channel]];
-        if (!isFinite(expectedValue) || !isFinite(actualValue)) {
+    bool flipped = false;
+    for (const ChannelJudge& judge : judges) {
+        if (!isFinite(actualPixel[judge.actual])) {
             return magenta;
         }
-        const double difference =
-            std::abs(static_cast<double>(actualValue) - static_cast<double>(expectedValue));
-        const double limit = rules[channel].limit(expectedValue);
+        const double difference = judge.difference(expectedPixel, actualPixel);
+        const double limit = judge.limit(expectedPixel);
+        const bool over = difference > limit;
+        if (over && judge.marginal(expectedPixel)) {
+            flipped = true;
+            continue;
+        }
         worst = std::max(worst, severity(difference, limit));
-        overLimit |= difference > limit;
+        overLimit |= over;
     }
-    return ramp(worst, overLimit);
+    return flipped && !overLimit ? green : ramp(worst, overLimit);
 }
 
 }  // namespace
 
 Image differenceImage(const Image& expected, const Image& actual, const CompareRules& rules) {
-    const std::vector<std::size_t> actualChannel = matchChannels(expected, actual);
-    if (actualChannel.empty()) {
+    const std::vector<ChannelJudge> judges = channelJudges(expected, actual, rules);
+    if (judges.empty()) {
         throw Error(ExitCode::SizeDiffers,
                     "there is no difference picture of images of other size or channels");
-    }
-    std::vector<CompareRule> channelRules;
-    for (const std::string& name : expected.channelNames) {
-        channelRules.push_back(rules.ruleFor(name));
     }
     Image picture(expected.width, expected.height, {"R", "G", "B"});
     for (int y = 0; y < picture.height; ++y) {
         for (int x = 0; x < picture.width; ++x) {
-            const Colour colour =
-                pixelColour(expected.pixel(x, y), actual.pixel(x, y), actualChannel, channelRules);
+            // Those that only a truth has, its margins and tolerances, are numbers too.
+            const std::span<const float> expectedPixel = expected.pixel(x, y);
+            const Colour colour = std::ranges::all_of(expectedPixel, isFinite)
+                                      ? pixelColour(expectedPixel, actual.pixel(x, y), judges)
+                                      : magenta;
             std::ranges::transform(colour, picture.pixel(x, y).begin(), [](double shown) {
                 return decodeSrgb(static_cast<std::uint8_t>(std::lround(shown)));
             });

@@ -8,10 +8,11 @@
 namespace raytorus::image {
 
 /// R, G, B of the size of both images, to be written as PNG. A pixel shows the worst of its channels,
-/// measured in limits (CompareRule::limit), so that what is tolerated and what is not never look alike:
+/// measured in limits (ChannelJudge::limit), so that what is tolerated and what is not never look alike:
 ///   black                   the same values
 ///   dark to light blue      a difference within the limit, up to the limit itself
 ///   orange, yellow, white   over the limit, up to 1000 times it; the scale is logarithmic
+///   green                   a flip: over the limit where a truth leaves the value open, and nowhere else
 ///   magenta                 a value that is not finite in either image
 /// Where the limit is 0, orange starts at a difference of 0 and white is reached at 1e-3.
 /// Throws Error{ExitCode::SizeDiffers} when the images do not have the same size and channels.

@@ -12,11 +12,15 @@
 
 namespace raytorus::image {
 
+/// What the values were in the file that they come from. In memory they are float32 all the same.
+enum class SampleType { Float32, Float16, Unsigned8, Unsigned16 };
+
 struct Image {
     int width = 0;
     int height = 0;
     std::vector<std::string> channelNames;
     std::vector<float> pixels;  ///< width * height * channelNames.size() values
+    SampleType sampleType = SampleType::Float32;
 
     Image() = default;
 

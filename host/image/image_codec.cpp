@@ -154,6 +154,18 @@ void checkSpec(const OIIO::ImageSpec& spec, Format format, std::string_view name
     }
 }
 
+SampleType sampleTypeOf(const OIIO::ImageSpec& spec, Format format) {
+    if (format == Format::Png) {
+        return spec.format == OIIO::TypeDesc::UINT16 ? SampleType::Unsigned16 : SampleType::Unsigned8;
+    }
+    for (int channel = 0; channel < spec.nchannels; ++channel) {
+        if (spec.channelformat(channel) == OIIO::TypeDesc::HALF) {
+            return SampleType::Float16;
+        }
+    }
+    return SampleType::Float32;
+}
+
 // The values as stored, in the file's order of channels, as floats.
 template <typename Stored>
 std::vector<float> readValues(OIIO::ImageInput& input, OIIO::TypeDesc type, float one,
@@ -228,6 +240,7 @@ Image decode(std::span<const std::byte> bytes, Format format, std::string_view n
         names.push_back(spec.channelnames[channel]);
     }
     Image image(spec.width, spec.height, std::move(names));
+    image.sampleType = sampleTypeOf(spec, format);
     for (std::size_t first = 0; first < values.size(); first += order.size()) {
         for (std::size_t channel = 0; channel < order.size(); ++channel) {
             image.pixels[first + channel] = values[first + order[channel]];

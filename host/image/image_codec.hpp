@@ -26,6 +26,7 @@ enum class Format { Exr, Png };
 
 /// The image in the bytes of a file. Throws File when they are damaged, incomplete, or more than a plain
 /// image: several parts, deep pixels, integer channels, or a data window that is not the display window.
+/// `sampleType` is that of the file, float16 when any of its channels is.
 /// Channels come as R, G, B, A (those that exist), then the others sorted by the bytes of their names.
 /// PNG: values are as stored, divided by 255 (or 65535): sRGB is not decoded. A grey image has the channel Y.
 [[nodiscard]] Image decode(std::span<const std::byte> bytes, Format format, std::string_view name);

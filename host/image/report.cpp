@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/file.hpp"
+#include "image/channel_judge.hpp"
 #include "image/comparison_text.hpp"
 #include "image/difference.hpp"
 #include "image/report_picture.hpp"
@@ -49,7 +50,7 @@ std::string picturesHtml(const ReportCase& reported) {
         variables += ";--actual:url(" + pngDataUri(displayImage(*reported.actual, scale)) + ")";
         figures += figureHtml("actual", "Actual", both);
     }
-    if (both && !matchChannels(*reported.expected, *reported.actual).empty()) {
+    if (both && !channelJudges(*reported.expected, *reported.actual, {}).empty()) {
         const CompareRules rules = reported.comparison ? reported.comparison->rules : CompareRules();
         const Image difference = differenceImage(*reported.expected, *reported.actual, rules);
         variables += ";--difference:url(" + pngDataUri(difference) + ")";
