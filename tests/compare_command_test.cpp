@@ -9,6 +9,7 @@
 #include "cli/command.hpp"
 #include "expect_error.hpp"
 #include "image/image_io.hpp"
+#include "image/manifest.hpp"
 #include "scratch_folder.hpp"
 
 namespace raytorus::cli {
@@ -81,6 +82,10 @@ TEST_F(CompareCommand, EachOptionReachesItsRule) {
     EXPECT_EQ(code({"--tolerance", "0.2"}), ExitCode::ComparisonFailed);
     EXPECT_EQ(code({"--relative", "0.5"}), ExitCode::Ok);
     EXPECT_EQ(code({"--relative", "0.4"}), ExitCode::ComparisonFailed);
+    EXPECT_EQ(code({"--ulp", "4194304"}), ExitCode::Ok);  // 0.25 at 0.5
+    EXPECT_EQ(code({"--ulp", "4194303"}), ExitCode::ComparisonFailed);
+    EXPECT_EQ(code({"--channel", "R=0.125", "--channel", "Z=4194304ulp"}), ExitCode::Ok);
+    EXPECT_EQ(code({"--channel", "R=0.125", "--channel", "Z=4194303ulp"}), ExitCode::ComparisonFailed);
     EXPECT_EQ(code({"--allow", "2"}), ExitCode::Ok);
     EXPECT_EQ(code({"--allow", "1"}), ExitCode::ComparisonFailed);
     EXPECT_EQ(code({"--channel", "R=0.125", "--channel", "Z=2.5e-1"}), ExitCode::Ok);
@@ -115,6 +120,60 @@ TEST_F(CompareCommand, OtherSizeGivesThreeAndNonFiniteTwelve) {
               "channel Z at pixel (5, 6).\n");
 }
 
+TEST_F(CompareCommand, OtherSampleTypesGiveThree) {
+    const std::string png = (folder / "actual.png").string();
+    image::writeImage(expected, Image(8, 8, {"R", "G", "B"}));
+    image::writeImage(png, Image(8, 8, {"R", "G", "B"}));
+    const Outcome outcome = run({"compare", expected, png});
+    EXPECT_EQ(outcome.code, ExitCode::SizeDiffers);
+    EXPECT_NE(outcome.text.find("32 bit floats, the actual one 8 bit integers"), std::string::npos)
+        << outcome.text;
+}
+
+TEST_F(CompareCommand, FlipsAreLimitedWhereTheExpectedImageIsATruth) {
+    Image truth(8, 8, {"id", "margin"});
+    image::writeImage(expected, truth);
+    Image picture(8, 8, {"id"});
+    picture.pixel(1, 1)[0] = 1.0f;
+    picture.pixel(2, 1)[0] = 1.0f;
+    image::writeImage(actual, picture);
+    EXPECT_EQ(run(with({})).code, ExitCode::Ok);
+    EXPECT_EQ(run(with({"--allow-flips", "2"})).code, ExitCode::Ok);
+    const Outcome outcome = run(with({"--allow-flips", "1"}));
+    EXPECT_EQ(outcome.code, ExitCode::ComparisonFailed);
+    EXPECT_NE(outcome.text.find("margin: 64 marginal, 2 flipped, first at (1, 1)\n"), std::string::npos)
+        << outcome.text;
+    expectError([&] { run({"compare", actual, actual, "--allow-flips", "1"}); }, ExitCode::Usage, {"flip"});
+}
+
+TEST_F(CompareCommand, TheManifestIsTheFirstGate) {
+    const std::string manifest = (folder / "manifest.json").string();
+    image::writeManifest(manifest, image::manifestOf(folder));
+    EXPECT_EQ(run({"compare", expected, expected, "--manifest", manifest}).code, ExitCode::Ok);
+    EXPECT_EQ(run(with({"--manifest", manifest})).code, ExitCode::ComparisonFailed);
+    // The very picture, in another file: the actual image is anybody's, the expected one is not.
+    test::writeText(expected, test::fileText(actual));
+    expectError(
+        [&] {
+            run(with({"--manifest", manifest}));
+        },
+        ExitCode::File, {"expected.exr", "manifest.json", "SHA-256"});
+    test::writeText(expected, "truncated");
+    expectError([&] { run(with({"--manifest", manifest})); }, ExitCode::File, {"expected.exr", "truncated"});
+    const std::string other = (folder / "other.exr").string();
+    image::writeImage(other, Image(8, 8, {"R", "G", "B", "Z"}));
+    expectError(
+        [&] {
+            run({"compare", other, actual, "--manifest", manifest});
+        },
+        ExitCode::File, {"other.exr", "not in the manifest"});
+    expectError(
+        [&] {
+            run(with({"--manifest", (folder / "none.json").string()}));
+        },
+        ExitCode::File, {"none.json", "no such file"});
+}
+
 TEST_F(CompareCommand, FilesThatCannotBeReadGiveFour) {
     expectError(
         [&] {
@@ -133,6 +192,15 @@ TEST_F(CompareCommand, OptionsThatMakeNoSenseAreUsage) {
                                                          {"--tolerance"},
                                                          {"--relative", "-0.5"},
                                                          {"--relative", "many"},
+                                                         {"--ulp", "-1"},
+                                                         {"--ulp", "1.5"},
+                                                         {"--ulp", "4ulp"},
+                                                         {"--channel", "R=ulp"},
+                                                         {"--channel", "R=-1ulp"},
+                                                         {"--channel", "R=1.5ulp"},
+                                                         {"--channel", "R=1 ulp"},
+                                                         {"--allow-flips", "-1"},
+                                                         {"--allow-flips", "all"},
                                                          {"--allow", "-1"},
                                                          {"--allow", "1.5"},
                                                          {"--allow", "x"},
@@ -196,8 +264,9 @@ TEST_F(CompareCommand, HelpHasExamples) {
     Action action;
     addCompareCommand(app, action);
     const std::string help = app.get_subcommand("compare")->help();
-    for (const char* words : {"--tolerance", "--relative", "--allow", "--channel NAME=TOL", "--window-limit",
-                              "--difference", "--json", "Examples:\n  raytorus compare", "Exit codes:"}) {
+    for (const char* words : {"--tolerance", "--relative", "--ulp", "--allow", "--allow-flips", "--manifest",
+                              "--channel NAME=TOL", "--window-limit", "--difference", "--json",
+                              "Examples:\n  raytorus compare", "Exit codes:"}) {
         EXPECT_NE(help.find(words), std::string::npos) << words << " is not in\n" << help;
     }
 }

@@ -17,6 +17,7 @@
 #include "image/comparison_text.hpp"
 #include "image/difference.hpp"
 #include "image/image_io.hpp"
+#include "image/manifest.hpp"
 
 namespace raytorus::cli {
 
@@ -26,6 +27,7 @@ struct CompareOptions {
     std::string expected;
     std::string actual;
     image::CompareRules rules;
+    std::string manifestPath;
     std::string differencePath;
     bool json = false;
 };
@@ -51,16 +53,28 @@ std::int64_t parseCount(const std::string& text) {
     return parseNumber<std::int64_t>(text, "A count of pixels is a whole number");
 }
 
+// "1e-4", or "4ulp".
+image::CompareRule parseRule(std::string text) {
+    constexpr std::string_view unit = "ulp";
+    image::CompareRule rule;
+    if (text.ends_with(unit)) {
+        text.resize(text.size() - unit.size());
+        rule.ulps = parseNumber<std::int64_t>(text, "A tolerance in ulps is a whole number");
+    } else {
+        rule.tolerance = parseTolerance(text);
+    }
+    return rule;
+}
+
 // "NAME=TOLERANCE". Split at the last '=': channel names may have one.
 void addChannelRule(image::CompareRules& rules, const std::string& text) {
     const std::size_t equals = text.rfind('=');
     if (equals == std::string::npos || equals == 0) {
         throw CLI::ValidationError(
-            fmt::format("--channel takes NAME=TOLERANCE, for example Z=1e-4, not \"{}\"", text));
+            fmt::format("--channel takes NAME=TOLERANCE, for example Z=1e-4 or Z=4ulp, not \"{}\"", text));
     }
     const std::string name = text.substr(0, equals);
-    const double tolerance = parseTolerance(text.substr(equals + 1));
-    if (!rules.channelRules.try_emplace(name, image::CompareRule{tolerance, 0.0}).second) {
+    if (!rules.channelRules.try_emplace(name, parseRule(text.substr(equals + 1))).second) {
         throw CLI::ValidationError(fmt::format("--channel gives the tolerance of {} twice", name));
     }
 }
@@ -77,8 +91,20 @@ void refuseToOverwriteInput(const CompareOptions& options) {
     }
 }
 
+// Before anything is read from the picture itself: what a wrong file holds does not matter.
+void requireListed(const CompareOptions& options) {
+    if (options.manifestPath.empty()) {
+        return;
+    }
+    const image::Manifest manifest = image::readManifest(options.manifestPath);
+    if (const std::string fault = image::manifestFault(manifest, options.expected); !fault.empty()) {
+        throw Error(ExitCode::File, fmt::format("{} ({})", fault, options.manifestPath));
+    }
+}
+
 ExitCode runCompare(const CompareOptions& options) {
     refuseToOverwriteInput(options);
+    requireListed(options);
     const image::Image expected = image::readImage(options.expected);
     const image::Image actual = image::readImage(options.actual);
     const image::Comparison comparison = image::compare(expected, actual, options.rules);
@@ -95,16 +121,21 @@ ExitCode runCompare(const CompareOptions& options) {
 
 constexpr const char* footer =
     R"(A value agrees when it is off by no more than --tolerance, or by no more than --relative times the
-expected value. A pixel agrees when all its channels do. NaN and infinity never agree, in either image.
+expected value, or by no more than --ulp times its last place. A pixel agrees when all its channels do. NaN and
+infinity never agree, in either image.
+
+A truth is an expected image that has channels "margin..." and "tolerance..." besides. It gives each pixel its own
+tolerance, is exact in id, count and A, and knows where rounding may flip a pixel: flips are counted apart.
 
 Examples:
   raytorus compare golden/ring.exr out/ring.exr
   raytorus compare expected.exr actual.exr --tolerance 1e-5 --channel Z=1e-4 --allow 8 --window-limit 3
   raytorus compare expected.exr actual.exr --relative 1e-6 --difference difference.png
   raytorus compare expected.png actual.png --tolerance 0.004 --json
+  raytorus compare golden/ring.exr out/ring.exr --manifest golden/manifest.json --channel t=4ulp
 
-Exit codes: 0 the images agree, 2 they differ, 3 size or channels differ, 4 a file cannot be read or written,
-5 the command line is wrong, 12 an image holds NaN or infinity.)";
+Exit codes: 0 the images agree, 2 they differ, 3 size or channels differ, 4 a file cannot be read or written or
+is not the one in the manifest, 5 the command line is wrong, 12 an image holds NaN or infinity.)";
 
 }  // namespace
 
@@ -127,10 +158,15 @@ void addCompareCommand(CLI::App& app, Action& action) {
     addOption(
         "--relative", "X", "Allowed difference relative to the expected value (default 0)",
         [&rules](const std::string& text) { rules.defaultRule.relativeTolerance = parseTolerance(text); });
+    addOption("--ulp", "N", "Allowed difference in units in the last place of the expected value (default 0)",
+              [&rules](const std::string& text) {
+                  rules.defaultRule.ulps =
+                      parseNumber<std::int64_t>(text, "A tolerance in ulps is a whole number");
+              });
     addOption("--allow", "N", "Pixels that may be over their tolerance (default 0)",
               [&rules](const std::string& text) { rules.allowedPixels = parseCount(text); });
     addOption("--channel", "NAME=TOL",
-              "Tolerance of one channel instead of the general ones; may be repeated",
+              "Tolerance of one channel instead of the general ones, as 1e-4 or 4ulp; may be repeated",
               [&rules](const std::string& text) { addChannelRule(rules, text); })
         ->trigger_on_parse();
     addOption(
@@ -138,6 +174,13 @@ void addCompareCommand(CLI::App& app, Action& action) {
         fmt::format("Pixels over their tolerance that may lie in one {0} x {0} square (default: any number)",
                     rules.windowSize),
         [&rules](const std::string& text) { rules.windowLimit = parseCount(text); });
+    addOption("--allow-flips", "N",
+              "Pixels that may flip where a truth says that rounding may flip them (default: all of those)",
+              [&rules](const std::string& text) { rules.allowedFlips = parseCount(text); });
+    command
+        ->add_option("--manifest", options->manifestPath,
+                     "Refuse an expected image that is not the one listed in this file, by its SHA-256")
+        ->type_name("FILE.json");
     addOption("--difference", "FILE.png", "Write a picture of the differences here",
               [options = options.get()](const std::string& path) {
                   if (!image::hasImageExtension(path)) {
