@@ -150,6 +150,17 @@ TEST_F(ProgramVerify, ExplainsWrongArguments) {
                      "--replay takes ten numbers: R r, origin, tMin, direction, tMax; not \"1 0.25 0\"");
 }
 
+// Whoever runs several programs in one terminal has to see which one the layers speak of.
+TEST_F(ProgramVerify, SpeaksInItsOwnName) {
+    const ProgramResult result = run({"--replay", "1 0.25  -3 0 0 0  1 0 0 10", "--shaders",
+                                      RAYTORUS_INVALID_SHADER_FOLDER, "--validate"});
+    EXPECT_EQ(result.exitCode, static_cast<int>(ExitCode::ValidationMessage))
+        << testing::PrintToString(result);
+    EXPECT_TRUE(result.err.starts_with("raytorus-verify: ")) << result.err;
+    EXPECT_NE(result.err.find("VUID-"), std::string::npos) << result.err;
+    EXPECT_EQ(result.err.find("raytorus: "), std::string::npos) << result.err;
+}
+
 TEST_F(ProgramVerify, RefusesAFileItCannotWriteBeforeTheWork) {
     const ProgramResult result = run({"--json", "nowhere/found.json", "--rays", "1000000000"});
     EXPECT_EQ(result.exitCode, static_cast<int>(ExitCode::File)) << testing::PrintToString(result);

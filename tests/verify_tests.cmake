@@ -3,6 +3,7 @@
 find_package(nlohmann_json REQUIRED)
 raytorus_compile_shaders(raytorus_defective_shaders NAMESPACE raytorus::defective_shaders
     SOURCES "${PROJECT_SOURCE_DIR}/shaders/trace.comp" INTERSECTOR defective_intersector.glsl)
+raytorus_compile_shaders(raytorus_invalid_shaders NAMESPACE raytorus::invalid_shaders SOURCES invalid/trace.comp)
 
 raytorus_add_tests(verify_tests
     SOURCES
@@ -12,10 +13,11 @@ raytorus_add_tests(verify_tests
         run_program.cpp
         verify_cell_test.cpp
     LIBRARIES raytorus::verify nlohmann_json::nlohmann_json)
-add_dependencies(verify_tests raytorus-verify raytorus_defective_shaders)
+add_dependencies(verify_tests raytorus-verify raytorus_defective_shaders raytorus_invalid_shaders)
 target_compile_definitions(verify_tests PRIVATE
     RAYTORUS_VERIFY="$<TARGET_FILE:raytorus-verify>"
-    RAYTORUS_DEFECTIVE_SHADER_FOLDER="${CMAKE_CURRENT_BINARY_DIR}/raytorus_defective_shaders")
+    RAYTORUS_DEFECTIVE_SHADER_FOLDER="${CMAKE_CURRENT_BINARY_DIR}/raytorus_defective_shaders"
+    RAYTORUS_INVALID_SHADER_FOLDER="${CMAKE_CURRENT_BINARY_DIR}/raytorus_invalid_shaders")
 
 # Rays of the day through every cell; CTest shows the table with -V, and when a bar is broken.
 add_test(NAME verify.rays_of_today COMMAND raytorus-verify --rays 1000 --validate)

@@ -31,7 +31,7 @@ void addDeviceOptions(CLI::App& command, DeviceOptions& options) {
 
 void withDevice(const DeviceOptions& options, const std::function<void(gpu::Context&)>& work) {
     const auto log = std::make_shared<gpu::ValidationLog>(
-        [](const std::string& message) { fmt::print(stderr, "raytorus: {}\n", message); });
+        [&](const std::string& message) { fmt::print(stderr, "{}: {}\n", options.program, message); });
     try {
         gpu::Context context(options.context, log);
         work(context);

@@ -13,6 +13,7 @@
 namespace raytorus::cli {
 
 struct DeviceOptions {
+    std::string program = "raytorus";  ///< whose name stands before what the validation layers say
     gpu::ContextOptions context;
     std::string shaderFolder;
 

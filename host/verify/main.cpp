@@ -111,7 +111,7 @@ ExitCode run(const VerifyOptions& options) {
 
 int main(int argc, char** argv) {
     using namespace raytorus;
-    return cli::exitStatus(cli::runProgram("raytorus-verify", [&] {
+    return cli::exitStatus(cli::runProgram(verify::programName, [&] {
         const auto options = verify::parseOptions({argv + 1, argv + argc});
         return options ? verify::run(*options) : ExitCode::Ok;
     }));

@@ -96,8 +96,8 @@ std::optional<VerifyOptions> parseOptions(const std::vector<std::string>& argume
     std::string rows;
     std::string replay;
     CLI::App app("Draws fresh rays, asks the shaders, and holds every answer to a 113-bit reference.",
-                 "raytorus-verify");
-    app.set_version_flag("--version", fmt::format("raytorus-verify {}", version()));
+                 programName);
+    app.set_version_flag("--version", fmt::format("{} {}", programName, version()));
     app.footer(footer);
     app.add_option("--class", classes, "Classes of rays: " + classNames())
         ->delimiter(',')
@@ -124,6 +124,7 @@ std::optional<VerifyOptions> parseOptions(const std::vector<std::string>& argume
     app.add_option("--threads", options.threads, "Threads of the reference")
         ->check(CLI::Range(1U, 1024U))
         ->option_text("N [all]");
+    options.device.program = programName;
     cli::addDeviceOptions(app, options.device);
     std::vector<std::string> reversed(arguments.rbegin(),
                                       arguments.rend());  // CLI11 takes them from the back

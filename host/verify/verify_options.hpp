@@ -13,6 +13,8 @@
 
 namespace raytorus::verify {
 
+inline constexpr const char* programName = "raytorus-verify";
+
 struct VerifyOptions {
     CellChoice cells;
     std::uint64_t rays = 20000;  ///< a cell
