@@ -13,6 +13,7 @@
 #include "device_fixture.hpp"
 #include "reference/rays.hpp"
 #include "render/tracer.hpp"
+#include "verify/trace_ray.hpp"
 
 namespace raytorus {
 namespace {
@@ -131,10 +132,8 @@ TEST_F(Contract, TMaxMayBeInfiniteAndANanInItIsAMiss) {
 std::vector<TraceRay> cameraRays(float minorRadius) {
     reference::RayParameters parameters;
     parameters.torus = {1.0F, minorRadius};
-    std::vector<TraceRay> rays(cameraRayCount);
-    const auto generated = reference::generateRays(reference::RayClass::camera, parameters, rays.size());
-    std::memcpy(rays.data(), generated.data(), rays.size() * sizeof(TraceRay));
-    return rays;
+    return verify::asTraceRays(
+        reference::generateRays(reference::RayClass::camera, parameters, cameraRayCount));
 }
 
 bool sameBits(float a, float b) {

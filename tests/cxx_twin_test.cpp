@@ -18,6 +18,7 @@
 #include "fresh_seed.hpp"
 #include "reference/rays.hpp"
 #include "torus_cxx.hpp"
+#include "verify/trace_ray.hpp"
 
 namespace raytorus {
 namespace {
@@ -89,9 +90,8 @@ std::vector<Case> cases() {
                 parameters.torus = {1.0F, minorRadius};
                 parameters.distance = distance;
                 parameters.seed = test::freshSeed();
-                const auto generated = reference::generateRays(rayClass, parameters, raysEach);
-                std::vector<TraceRay> rays(generated.size());
-                std::memcpy(rays.data(), generated.data(), rays.size() * sizeof(TraceRay));
+                std::vector<TraceRay> rays =
+                    verify::asTraceRays(reference::generateRays(rayClass, parameters, raysEach));
                 const std::string name = reference::nameOf(rayClass);
                 list.push_back({name, parameters.torus, rays});
                 // Not of a horn: what is tiny beside its tip decides whether a ray meets it.
@@ -172,12 +172,10 @@ private:
 };
 
 std::string described(const Case& c, const TraceRay& ray, const std::string& difference) {
-    reference::Ray same{};
-    static_assert(sizeof(same) == sizeof(ray));
-    std::memcpy(&same, &ray, sizeof(ray));
     return difference.empty()
                ? ""
-               : fmt::format("{}: {} differs:{}", c.name, reference::hexFloats(c.torus, same), difference);
+               : fmt::format("{}: {} differs:{}", c.name,
+                             reference::hexFloats(c.torus, verify::asReferenceRay(ray)), difference);
 }
 
 // Asks one question of every ray, both ways, and returns how many answers were hits (or counts above 0).

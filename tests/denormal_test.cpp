@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 #include <xmmintrin.h>
 
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -18,6 +17,7 @@
 #include "hit_judge.hpp"
 #include "hit_match.hpp"
 #include "torus_cxx.hpp"
+#include "verify/trace_ray.hpp"
 
 namespace raytorus {
 namespace {
@@ -44,7 +44,7 @@ private:
 };
 
 test::Answers twin(const Torus& torus, const Ray& given) {
-    const auto ray = std::bit_cast<render::TraceRay>(given);
+    const render::TraceRay ray = verify::asTraceRay(given);
     return {test::cxxNearest(torus.majorRadius, torus.minorRadius, ray),
             test::cxxAll(torus.majorRadius, torus.minorRadius, ray),
             test::cxxAny(torus.majorRadius, torus.minorRadius, ray)};

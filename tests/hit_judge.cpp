@@ -10,6 +10,7 @@
 #include "device_fixture.hpp"
 #include "hit_match.hpp"
 #include "reference/torus_reference.hpp"
+#include "verify/trace_ray.hpp"
 
 namespace raytorus::test {
 namespace {
@@ -39,9 +40,7 @@ HitJudge::HitJudge(std::size_t capacity)
       any(device(), render::Query::Any, capacity) {}
 
 HitJudge::Answers HitJudge::ask(const reference::Torus& torus, const std::vector<reference::Ray>& rays) {
-    static_assert(sizeof(reference::Ray) == sizeof(render::TraceRay));
-    std::vector<render::TraceRay> input(rays.size());
-    std::memcpy(input.data(), rays.data(), rays.size() * sizeof(reference::Ray));
+    const std::vector<render::TraceRay> input = verify::asTraceRays(rays);
     return {traceRows<render::NearestHit>(nearest, torus, input),
             traceRows<render::AllHits>(all, torus, input), traceRows<float>(any, torus, input)};
 }

@@ -10,6 +10,7 @@
 
 #include "torus_cxx.hpp"
 #include "verify/cell.hpp"
+#include "verify/trace_ray.hpp"
 
 namespace raytorus {
 namespace {
@@ -28,12 +29,6 @@ struct Loose {
 
 void PrintTo(const Loose& loose, std::ostream* out) {
     *out << loose.name;
-}
-
-render::TraceRay asTraceRay(const reference::Ray& ray) {
-    render::TraceRay copy;
-    std::memcpy(&copy, &ray, sizeof(copy));
-    return copy;
 }
 
 std::vector<verify::Cell> clearCells() {
@@ -56,7 +51,7 @@ TEST_P(LooseArithmetic, ClearRaysAreRight) {
                 truth.endClearance() < GetParam().endMargin * verify::clearEndMargin(torus)) {
                 continue;
             }
-            const render::TraceRay traced = asTraceRay(ray);
+            const render::TraceRay traced = verify::asTraceRay(ray);
             const render::NearestHit nearest = test::looseNearest(1.0F, cell.minorRadius, traced);
             const render::AllHits all = test::looseAll(1.0F, cell.minorRadius, traced);
             const float any = test::looseAny(1.0F, cell.minorRadius, traced);
@@ -96,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(LooseArithmetic, IsExactWhenToldToBe) {
     test::setArithmetic({});
     for (const verify::Cell& cell : clearCells()) {
-        const render::TraceRay ray = asTraceRay(cell.ray(815, 0));
+        const render::TraceRay ray = verify::asTraceRay(cell.ray(815, 0));
         const render::AllHits loose = test::looseAll(1.0F, cell.minorRadius, ray);
         const render::AllHits exact = test::cxxAll(1.0F, cell.minorRadius, ray);
         EXPECT_EQ(std::memcmp(&loose, &exact, sizeof(loose)), 0);

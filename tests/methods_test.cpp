@@ -18,6 +18,7 @@
 #include "render/renderer.hpp"
 #include "render/scene_json.hpp"
 #include "render/tracer.hpp"
+#include "verify/trace_ray.hpp"
 
 namespace raytorus {
 
@@ -238,10 +239,7 @@ TEST_F(Production, EqualsTorusGlslBitForBit) {
     std::vector<TraceRay> rays;
     for (const reference::RayClass rayClass : reference::allRayClasses) {
         for (const reference::Ray& ray : reference::generateRays(rayClass, parameters, 100)) {
-            TraceRay row{};
-            static_assert(sizeof(row) == sizeof(ray));
-            std::memcpy(&row, &ray, sizeof(row));
-            rays.push_back(row);
+            rays.push_back(verify::asTraceRay(ray));
         }
     }
     const Answers builtIn = ask(render::ShaderSource(), parameters.torus, rays);

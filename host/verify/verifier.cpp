@@ -8,18 +8,12 @@
 #include <thread>
 #include <vector>
 
+#include "verify/trace_ray.hpp"
+
 namespace raytorus::verify {
 namespace {
 
 constexpr std::size_t blockRays = std::size_t{1} << 16U;
-
-static_assert(sizeof(reference::Ray) == sizeof(render::TraceRay));
-
-render::TraceRay asTraceRay(const reference::Ray& ray) {
-    render::TraceRay copy;
-    std::memcpy(&copy, &ray, sizeof(copy));
-    return copy;
-}
 
 // work(from, to) for as many parts of 0 ... count - 1 as there are threads, at the same time.
 void inParallel(unsigned threads, std::size_t count,
@@ -60,8 +54,7 @@ Statistics Verifier::judgeBlock(const Cell& cell, const Block& block) const {
     inParallel(threads, block.rays.size(), [&](std::size_t from, std::size_t to) {
         Statistics part;
         for (std::size_t i = from; i < to; ++i) {
-            reference::Ray ray;
-            std::memcpy(&ray, &block.rays[i], sizeof(ray));
+            const reference::Ray ray = asReferenceRay(block.rays[i]);
             render::NearestHit nearestHit;
             render::AllHits allHits;
             std::memcpy(&nearestHit, &block.nearest[i * render::hitFloats(render::Query::Nearest)],
