@@ -43,14 +43,14 @@ private:
     unsigned saved;
 };
 
-test::Answers twin(const Torus& torus, const Ray& given) {
+verify::Answers twin(const Torus& torus, const Ray& given) {
     const render::TraceRay ray = verify::asTraceRay(given);
     return {test::cxxNearest(torus.majorRadius, torus.minorRadius, ray),
             test::cxxAll(torus.majorRadius, torus.minorRadius, ray),
             test::cxxAny(torus.majorRadius, torus.minorRadius, ray)};
 }
 
-test::Answers flushedTwin(const Torus& torus, const Ray& ray) {
+verify::Answers flushedTwin(const Torus& torus, const Ray& ray) {
     const FlushDenormals flush;
     return twin(torus, ray);
 }
@@ -105,7 +105,7 @@ bool hasDirection(const Ray& ray) {
            1e-18F;
 }
 
-std::string fault(Input input, test::Answers answers) {
+std::string fault(Input input, verify::Answers answers) {
     if (!hasDirection(input.ray)) {
         return answers.all.count == 0.0F && answers.nearest.hit == 0.0F && answers.any == 0.0F ? "" : "a hit";
     }
@@ -114,7 +114,7 @@ std::string fault(Input input, test::Answers answers) {
 }
 
 // Where denormals are flushed, an end of the ray that is one is as good as 0.
-std::string flushedFault(Input input, test::Answers answers) {
+std::string flushedFault(Input input, verify::Answers answers) {
     std::string found = fault(input, answers);
     for (float* end : {&input.ray.tMin, &input.ray.tMax}) {
         if (!found.empty() && isDenormal(*end)) {
@@ -129,8 +129,8 @@ std::string flushedFault(Input input, test::Answers answers) {
     return found;
 }
 
-void expectNoFaults(const std::vector<Input>& inputs, const std::vector<test::Answers>& answers,
-                    std::string (*faultOf)(Input, test::Answers)) {
+void expectNoFaults(const std::vector<Input>& inputs, const std::vector<verify::Answers>& answers,
+                    std::string (*faultOf)(Input, verify::Answers)) {
     int faults = 0;
     int hits = 0;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
@@ -163,7 +163,7 @@ TEST_F(Denormals, AreRightOnTheDevice) {
 
 TEST_F(Denormals, AreRightWhereTheyAreKept) {
     const std::vector<Input> inputs = denormalInputs();
-    std::vector<test::Answers> answers;
+    std::vector<verify::Answers> answers;
     for (const Input& input : inputs) {
         answers.push_back(twin(input.torus, input.ray));
     }
@@ -172,7 +172,7 @@ TEST_F(Denormals, AreRightWhereTheyAreKept) {
 
 TEST_F(Denormals, AreRightWhereTheyAreFlushed) {
     const std::vector<Input> inputs = denormalInputs();
-    std::vector<test::Answers> answers;
+    std::vector<verify::Answers> answers;
     for (const Input& input : inputs) {
         answers.push_back(flushedTwin(input.torus, input.ray));
     }
@@ -209,7 +209,7 @@ TEST_F(Denormals, FlushingChangesNoBitOfOtherRays) {
                         ray.tMax = std::min(ray.tMax, 1e3F) * (size / speed);
                         normal = normal && !isDenormal(ray.tMin);
                         const Torus torus{size, minorRadius * size};
-                        const test::Answers kept = twin(torus, ray), flushed = flushedTwin(torus, ray);
+                        const verify::Answers kept = twin(torus, ray), flushed = flushedTwin(torus, ray);
                         // A result that is denormal itself is what flushing is for.
                         for (const float t : kept.all.t) {
                             normal = normal && !isDenormal(t);

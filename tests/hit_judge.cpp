@@ -4,48 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
 
 #include "device_fixture.hpp"
 #include "hit_match.hpp"
 #include "reference/torus_reference.hpp"
-#include "verify/trace_ray.hpp"
 
 namespace raytorus::test {
 namespace {
 
 constexpr std::size_t shownFaults = 5;
-
-template <typename Row>
-std::vector<Row> traceRows(render::Tracer& tracer, const reference::Torus& torus,
-                           const std::vector<render::TraceRay>& rays) {
-    const std::span<const float> values = tracer.trace(torus.majorRadius, torus.minorRadius, rays);
-    std::vector<Row> rows(rays.size());
-    std::memcpy(rows.data(), values.data(), values.size_bytes());
-    return rows;
-}
-
-}  // namespace
-
-struct HitJudge::Answers {
-    std::vector<render::NearestHit> nearest;
-    std::vector<render::AllHits> all;
-    std::vector<float> any;
-};
-
-HitJudge::HitJudge(std::size_t capacity)
-    : nearest(device(), render::Query::Nearest, capacity),
-      all(device(), render::Query::All, capacity),
-      any(device(), render::Query::Any, capacity) {}
-
-HitJudge::Answers HitJudge::ask(const reference::Torus& torus, const std::vector<reference::Ray>& rays) {
-    const std::vector<render::TraceRay> input = verify::asTraceRays(rays);
-    return {traceRows<render::NearestHit>(nearest, torus, input),
-            traceRows<render::AllHits>(all, torus, input), traceRows<float>(any, torus, input)};
-}
-
-namespace {
 
 void addFault(Judgement& judgement, const std::string& what, const std::string& name, std::size_t index,
               const reference::Torus& torus, const reference::Ray& ray) {
@@ -82,9 +49,11 @@ std::string misplaced(const verify::Judgement& judged, Judgement& judgement) {
 
 }  // namespace
 
+HitJudge::HitJudge(std::size_t capacity) : questions(device(), capacity) {}
+
 Judgement HitJudge::judgeAll(const reference::Torus& torus, const std::vector<reference::Ray>& rays,
                              const std::string& name, bool clearOnly) {
-    const Answers answers = ask(torus, rays);
+    const std::vector<verify::Answers> answers = questions.ask(torus, rays);
     const double endMargin = verify::clearEndMargin(torus);
     Judgement judgement;
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -95,11 +64,10 @@ Judgement HitJudge::judgeAll(const reference::Torus& torus, const std::vector<re
         }
         ++judgement.judged;
         judgement.hits += truth.count > 0 ? 1 : 0;
-        const verify::Judgement judged =
-            verify::judge(torus, rays[i], truth, {&answers.nearest[i], &answers.all[i], answers.any[i]});
+        const verify::Judgement judged = verify::judge(torus, rays[i], truth, answers[i]);
         std::string fault;
         if (clearOnly || judged.fault != verify::Fault::Gross) {
-            fault = faultOf(judged, truth, answers.all[i]);
+            fault = faultOf(judged, truth, answers[i].all);
         }
         if (clearOnly && fault.empty()) {
             fault = misplaced(judged, judgement);
@@ -121,11 +89,10 @@ Judgement HitJudge::judgeVerdicts(const reference::Torus& torus, const std::vect
 
 std::vector<std::string> HitJudge::mismatches(const reference::Torus& torus,
                                               const std::vector<reference::Ray>& rays) {
-    const Answers answers = ask(torus, rays);
+    const std::vector<verify::Answers> answers = questions.ask(torus, rays);
     std::vector<std::string> faults(rays.size());
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        const std::string fault =
-            mismatch(torus, rays[i], {answers.nearest[i], answers.all[i], answers.any[i]});
+        const std::string fault = mismatch(torus, rays[i], answers[i]);
         faults[i] = fault.empty() ? "" : fault + "\n  " + reference::hexFloats(torus, rays[i]);
     }
     return faults;

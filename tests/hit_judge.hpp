@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "reference/rays.hpp"
-#include "render/tracer.hpp"
 #include "verify/judge.hpp"
 
 namespace raytorus::test {
@@ -47,12 +46,7 @@ private:
     Judgement judgeAll(const reference::Torus& torus, const std::vector<reference::Ray>& rays,
                        const std::string& name, bool clearOnly);
 
-    struct Answers;
-    Answers ask(const reference::Torus& torus, const std::vector<reference::Ray>& rays);
-
-    render::Tracer nearest;
-    render::Tracer all;
-    render::Tracer any;
+    verify::Questions questions;
 };
 
 }  // namespace raytorus::test

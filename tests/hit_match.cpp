@@ -6,17 +6,17 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 
-#include "hit_judge.hpp"
 #include "reference/torus_reference.hpp"
+#include "verify/judge.hpp"
 
 namespace raytorus::test {
 namespace {
 
 using reference::Hit;
 using reference::Quad;
+using verify::Answers;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr Quad largest = std::numeric_limits<float>::max();
@@ -109,11 +109,7 @@ std::string misplaced(const Line& line, const Hit* exact, const float (&position
     if (!(offSurface <= verify::positionBound)) {
         return fmt::format("a position is {:.3g} (R + r) off the surface", offSurface);
     }
-    const float magnitude =
-        std::max(std::abs(t), static_cast<float>(std::ldexp(line.size / line.rayLength, -4)));
-    const double ulp = magnitude < std::numeric_limits<float>::max()
-                           ? double{std::nextafter(magnitude, infinity)} - double{magnitude}
-                           : std::ldexp(1.0, 104);
+    const double ulp = verify::ulpOf(t, line.size / line.rayLength);
     const reference::QuadVec3 there = exact == nullptr ? line.at(Quad(t)) : exact->position;
     const double error = length({there[0] - at[0], there[1] - at[1], there[2] - at[2]}) / line.size;
     const double tRounding = exact == nullptr ? verify::tBound * ulp * line.rayLength / line.size : 0.0;
@@ -164,15 +160,10 @@ std::string disagreement(const Line& line, const Truth& truth, const Answers& an
     const render::NearestHit& nearest = answers.nearest;
     const render::AllHits& all = answers.all;
     if (!truth.endsOnSurface) {
-        if ((nearest.hit != 0.0F) != (all.count > 0.0F) || (answers.any != 0.0F) != (all.count > 0.0F)) {
-            return fmt::format("{} hits, nearest {}, any {}", all.count, nearest.hit, answers.any);
-        }
-        if (nearest.hit != 0.0F &&
-            (!sameBits(nearest.t, all.t[0]) ||
-             std::memcmp(nearest.position, all.position[0], sizeof nearest.position) != 0)) {
-            return "the nearest hit is not the first of all";
-        }
-        return {};
+        return verify::agree(answers)
+                   ? std::string()
+                   : fmt::format("{} hits, the first at t {:a}; nearest {} at t {:a}; any {}", all.count,
+                                 all.t[0], nearest.hit, nearest.t, answers.any);
     }
     // Each function decides for itself about a hit at an end.
     const unsigned sure = truth.touches ? 0 : truth.must & ~truth.may;

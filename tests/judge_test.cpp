@@ -28,7 +28,7 @@ struct Said {
     float any = 1.0F;
 
     [[nodiscard]] Judgement judged(const reference::Ray& about = ray) const {
-        return judge(torus, about, arbiterTruth(torus, about), {&nearest, &all, any});
+        return judge(torus, about, arbiterTruth(torus, about), {nearest, all, any});
     }
 };
 

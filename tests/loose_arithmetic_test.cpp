@@ -52,10 +52,10 @@ TEST_P(LooseArithmetic, ClearRaysAreRight) {
                 continue;
             }
             const render::TraceRay traced = verify::asTraceRay(ray);
-            const render::NearestHit nearest = test::looseNearest(1.0F, cell.minorRadius, traced);
-            const render::AllHits all = test::looseAll(1.0F, cell.minorRadius, traced);
-            const float any = test::looseAny(1.0F, cell.minorRadius, traced);
-            const verify::Judgement judgement = verify::judge(torus, ray, truth, {&nearest, &all, any});
+            const verify::Answers answers{test::looseNearest(1.0F, cell.minorRadius, traced),
+                                          test::looseAll(1.0F, cell.minorRadius, traced),
+                                          test::looseAny(1.0F, cell.minorRadius, traced)};
+            const verify::Judgement judgement = verify::judge(torus, ray, truth, answers);
             total.add(torus, ray, truth.count > 0, judgement);
         }
     }

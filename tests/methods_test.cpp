@@ -17,8 +17,7 @@
 #include "reference/rays.hpp"
 #include "render/renderer.hpp"
 #include "render/scene_json.hpp"
-#include "render/tracer.hpp"
-#include "verify/trace_ray.hpp"
+#include "verify/questions.hpp"
 
 namespace raytorus {
 
@@ -29,41 +28,21 @@ void PrintTo(const Method& method, std::ostream* out) {
 
 namespace {
 
-using render::TraceRay;
+using reference::Ray;
+using verify::Answers;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
-template <typename Row>
-std::vector<Row> trace(const render::ShaderSource& source, render::Query query, const reference::Torus& torus,
-                       const std::vector<TraceRay>& rays) {
-    render::Tracer tracer(test::device(), query, rays.size(), source);
-    const std::span<const float> values = tracer.trace(torus.majorRadius, torus.minorRadius, rays);
-    std::vector<Row> rows(rays.size());
-    std::memcpy(rows.data(), values.data(), values.size_bytes());
-    return rows;
-}
-
-struct Answers {
-    std::vector<render::NearestHit> nearest;
-    std::vector<render::AllHits> all;
-    std::vector<float> any;
-};
-
-Answers ask(const render::ShaderSource& source, const reference::Torus& torus,
-            const std::vector<TraceRay>& rays) {
-    return {trace<render::NearestHit>(source, render::Query::Nearest, torus, rays),
-            trace<render::AllHits>(source, render::Query::All, torus, rays),
-            trace<float>(source, render::Query::Any, torus, rays)};
-}
-
-Answers ask(const Method& method, const reference::Torus& torus, const std::vector<TraceRay>& rays) {
-    return ask(method.shaders, torus, rays);
+// The answers of a method to these rays.
+std::vector<Answers> ask(const Method& method, const reference::Torus& torus, const std::vector<Ray>& rays) {
+    verify::Questions questions(test::device(), rays.size(), method.shaders);
+    return questions.ask(torus, rays);
 }
 
 struct Known {
     const char* name;
-    TraceRay ray;
+    Ray ray;
     std::vector<double> t;
 };
 
@@ -87,8 +66,8 @@ const Known knownRays[] = {
     {"beginning in the tube", {{3, 0, 0}, 2, {-1, 0, 0}, 4}, {2.25, 3.75}},
 };
 
-std::vector<TraceRay> raysOf(std::span<const Known> known) {
-    std::vector<TraceRay> rays;
+std::vector<Ray> raysOf(std::span<const Known> known) {
+    std::vector<Ray> rays;
     for (const Known& row : known) {
         rays.push_back(row.ray);
     }
@@ -132,60 +111,60 @@ TEST_P(EachMethod, DrawsThePictureOfTheLibrary) {
 }
 
 TEST_P(EachMethod, HitsWhereItMust) {
-    const Answers answers = ask(GetParam(), ring, raysOf(knownRays));
+    const std::vector<Answers> answers = ask(GetParam(), ring, raysOf(knownRays));
     const double size = static_cast<double>(ring.majorRadius) + static_cast<double>(ring.minorRadius);
     for (std::size_t i = 0; i < std::size(knownRays); ++i) {
         SCOPED_TRACE(knownRays[i].name);
-        const TraceRay& ray = knownRays[i].ray;
+        const Ray& ray = knownRays[i].ray;
         const std::vector<double>& t = knownRays[i].t;
-        EXPECT_EQ(answers.nearest[i].hit != 0.0F, !t.empty());
-        EXPECT_EQ(answers.any[i] != 0.0F, !t.empty());
-        ASSERT_EQ(answers.all[i].count, static_cast<float>(t.size()));
+        EXPECT_EQ(answers[i].nearest.hit != 0.0F, !t.empty());
+        EXPECT_EQ(answers[i].any != 0.0F, !t.empty());
+        ASSERT_EQ(answers[i].all.count, static_cast<float>(t.size()));
         const double speed =
             std::hypot(static_cast<double>(ray.direction[0]), static_cast<double>(ray.direction[1]),
                        static_cast<double>(ray.direction[2]));
         const double tolerance = GetParam().tolerance * size;
         for (std::size_t k = 0; k < t.size(); ++k) {
-            EXPECT_NEAR(static_cast<double>(answers.all[i].t[k]), t[k], tolerance / speed) << k;
+            EXPECT_NEAR(static_cast<double>(answers[i].all.t[k]), t[k], tolerance / speed) << k;
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 const double exact =
                     static_cast<double>(ray.origin[axis]) + t[k] * static_cast<double>(ray.direction[axis]);
-                EXPECT_NEAR(static_cast<double>(answers.all[i].position[k][axis]), exact, tolerance) << k;
+                EXPECT_NEAR(static_cast<double>(answers[i].all.position[k][axis]), exact, tolerance) << k;
             }
         }
     }
 }
 
 TEST_P(EachMethod, NearestIsTheFirstOfAll) {
-    const Answers answers = ask(GetParam(), ring, raysOf(knownRays));
+    const std::vector<Answers> answers = ask(GetParam(), ring, raysOf(knownRays));
     for (std::size_t i = 0; i < std::size(knownRays); ++i) {
-        EXPECT_EQ(answers.nearest[i].t, answers.all[i].t[0]) << knownRays[i].name;
+        EXPECT_EQ(answers[i].nearest.t, answers[i].all.t[0]) << knownRays[i].name;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            EXPECT_EQ(answers.nearest[i].position[axis], answers.all[i].position[0][axis])
+            EXPECT_EQ(answers[i].nearest.position[axis], answers[i].all.position[0][axis])
                 << knownRays[i].name;
         }
     }
 }
 
 TEST_P(EachMethod, SeesTheOuterSheetOfASpindleOnly) {
-    const std::vector<TraceRay> rays = {{{0.1F, 0, 3}, 0, {0, 0, -1}, infinity},
-                                        {{0.1F, 0, 0}, 0, {0, 0, 1}, infinity},
-                                        {{4, 0, 0.5F}, 0, {-1, 0, 0}, infinity}};
-    const Answers answers = ask(GetParam(), {1.0F, 1.25F}, rays);
-    EXPECT_EQ(answers.all[0].count, 2.0F);
-    EXPECT_EQ(answers.all[1].count, 1.0F);
-    EXPECT_EQ(answers.all[2].count, 2.0F);
-    EXPECT_NEAR(static_cast<double>(answers.nearest[0].t), 3 - std::sqrt(1.5625 - 0.81),
+    const std::vector<Ray> rays = {{{0.1F, 0, 3}, 0, {0, 0, -1}, infinity},
+                                   {{0.1F, 0, 0}, 0, {0, 0, 1}, infinity},
+                                   {{4, 0, 0.5F}, 0, {-1, 0, 0}, infinity}};
+    const std::vector<Answers> answers = ask(GetParam(), {1.0F, 1.25F}, rays);
+    EXPECT_EQ(answers[0].all.count, 2.0F);
+    EXPECT_EQ(answers[1].all.count, 1.0F);
+    EXPECT_EQ(answers[2].all.count, 2.0F);
+    EXPECT_NEAR(static_cast<double>(answers[0].nearest.t), 3 - std::sqrt(1.5625 - 0.81),
                 2.25 * GetParam().tolerance);
 }
 
 TEST_P(EachMethod, MissesWithTheContractsOutputs) {
     struct Bad {
         reference::Torus torus;
-        TraceRay ray;
+        Ray ray;
         float t;
     };
-    const TraceRay good{{3, 0, 0}, 0, {-1, 0, 0}, 100};
+    const Ray good{{3, 0, 0}, 0, {-1, 0, 0}, 100};
     const Bad rows[] = {
         {ring, {{3, 0, 2}, 0, {-1, 0, 0}, 100}, 100},
         {ring, {{0, 0, 3}, 0, {0, 0, -1}, infinity}, infinity},
@@ -205,15 +184,15 @@ TEST_P(EachMethod, MissesWithTheContractsOutputs) {
     };
     for (std::size_t i = 0; i < std::size(rows); ++i) {
         SCOPED_TRACE(i);
-        const Answers answers = ask(GetParam(), rows[i].torus, {rows[i].ray});
-        EXPECT_EQ(answers.any[0], 0.0F);
-        EXPECT_EQ(answers.nearest[0].hit, 0.0F);
-        EXPECT_EQ(answers.nearest[0].t, rows[i].t);
-        EXPECT_EQ(answers.all[0].count, 0.0F);
+        const std::vector<Answers> answers = ask(GetParam(), rows[i].torus, {rows[i].ray});
+        EXPECT_EQ(answers[0].any, 0.0F);
+        EXPECT_EQ(answers[0].nearest.hit, 0.0F);
+        EXPECT_EQ(answers[0].nearest.t, rows[i].t);
+        EXPECT_EQ(answers[0].all.count, 0.0F);
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            EXPECT_EQ(answers.nearest[0].position[axis], 0.0F);
+            EXPECT_EQ(answers[0].nearest.position[axis], 0.0F);
         }
-        for (const float t : answers.all[0].t) {
+        for (const float t : answers[0].all.t) {
             EXPECT_EQ(t, rows[i].t);
         }
     }
@@ -236,18 +215,16 @@ using Production = test::DeviceTest;
 
 TEST_F(Production, EqualsTorusGlslBitForBit) {
     reference::RayParameters parameters;
-    std::vector<TraceRay> rays;
+    std::vector<Ray> rays;
     for (const reference::RayClass rayClass : reference::allRayClasses) {
-        for (const reference::Ray& ray : reference::generateRays(rayClass, parameters, 100)) {
-            rays.push_back(verify::asTraceRay(ray));
-        }
+        const std::vector<Ray> some = reference::generateRays(rayClass, parameters, 100);
+        rays.insert(rays.end(), some.begin(), some.end());
     }
-    const Answers builtIn = ask(render::ShaderSource(), parameters.torus, rays);
-    const Answers row = ask(methods().front(), parameters.torus, rays);
-    EXPECT_EQ(
-        std::memcmp(builtIn.nearest.data(), row.nearest.data(), rays.size() * sizeof(render::NearestHit)), 0);
-    EXPECT_EQ(std::memcmp(builtIn.all.data(), row.all.data(), rays.size() * sizeof(render::AllHits)), 0);
-    EXPECT_EQ(builtIn.any, row.any);
+    verify::Questions builtIn(test::device(), rays.size());
+    const std::vector<Answers> expected = builtIn.ask(parameters.torus, rays);
+    const std::vector<Answers> row = ask(methods().front(), parameters.torus, rays);
+    static_assert(sizeof(Answers) == sizeof(render::NearestHit) + sizeof(render::AllHits) + sizeof(float));
+    EXPECT_EQ(std::memcmp(expected.data(), row.data(), rays.size() * sizeof(Answers)), 0);
 }
 
 }  // namespace

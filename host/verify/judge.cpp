@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "reference/double_double.hpp"
 #include "reference/intersect.hpp"
@@ -39,21 +40,14 @@ Vec3<double> widened(const float (&v)[3]) {
     return {double{v[0]}, double{v[1]}, double{v[2]}};
 }
 
-// `size` is R + r in lengths of the direction.
-double ulpsBetween(double exact, float actual, double size) {
-    const float magnitude = std::max(std::abs(actual), static_cast<float>(std::ldexp(size, -4)));
-    const double ulp = static_cast<double>(std::nextafter(magnitude, INFINITY) - magnitude);
-    return std::abs(exact - static_cast<double>(actual)) / ulp;
-}
-
 bool isFiniteHit(float t, const float (&position)[3]) {
     return std::isfinite(t) && std::isfinite(position[0]) && std::isfinite(position[1]) &&
            std::isfinite(position[2]);
 }
 
 Fault verdictFault(const Truth& truth, const Answers& answers) {
-    const render::NearestHit& nearest = *answers.nearest;
-    const render::AllHits& all = *answers.all;
+    const render::NearestHit& nearest = answers.nearest;
+    const render::AllHits& all = answers.all;
     const bool hit = truth.count > 0;
     const bool found = nearest.hit != 0.0F;
     const int count = static_cast<int>(all.count);
@@ -75,10 +69,7 @@ Fault verdictFault(const Truth& truth, const Answers& answers) {
     if (!ascending) {
         return Fault::Order;
     }
-    const bool sameNearest =
-        !hit || (std::memcmp(&nearest.t, &all.t[0], sizeof(float)) == 0 &&
-                 std::memcmp(nearest.position, all.position[0], sizeof(nearest.position)) == 0);
-    return (answers.any != 0.0F) == hit && sameNearest ? Fault::None : Fault::Disagreement;
+    return agree(answers) ? Fault::None : Fault::Disagreement;
 }
 
 }  // namespace
@@ -95,6 +86,15 @@ Truth preciseTruth(const reference::Torus& torus, const reference::Ray& ray) {
 Truth quickTruth(const reference::Torus& torus, const reference::Ray& ray) {
     return reference::intersectAs<DoubleDouble, double>(BasicTorus<DoubleDouble>(torus),
                                                         BasicRay<DoubleDouble>(ray));
+}
+
+bool agree(const Answers& answers) {
+    const render::NearestHit& nearest = answers.nearest;
+    const render::AllHits& all = answers.all;
+    const bool found = nearest.hit != 0.0F;
+    const bool first = std::memcmp(&nearest.t, &all.t[0], sizeof(nearest.t)) == 0 &&
+                       std::memcmp(nearest.position, all.position[0], sizeof(nearest.position)) == 0;
+    return found == (all.count > 0.0F) && found == (answers.any != 0.0F) && (first || !found);
 }
 
 const char* nameOf(Fault fault) {
@@ -119,11 +119,19 @@ const char* nameOf(Fault fault) {
     return "?";
 }
 
+double ulpOf(float t, double size) {
+    const float magnitude = std::max(std::abs(t), static_cast<float>(std::ldexp(size, -4)));
+    // The largest float has no next one.
+    return magnitude < std::numeric_limits<float>::max()
+               ? double{std::nextafter(magnitude, INFINITY)} - double{magnitude}
+               : std::ldexp(1.0, 104);
+}
+
 Judgement judge(const reference::Torus& torus, const reference::Ray& ray, const Truth& truth,
                 const Answers& answers) {
     Judgement judgement;
     judgement.fault = verdictFault(truth, answers);
-    const int count = static_cast<int>(answers.all->count);
+    const int count = static_cast<int>(answers.all.count);
     if (count != truth.count) {
         return judgement;
     }
@@ -133,12 +141,13 @@ Judgement judge(const reference::Torus& torus, const reference::Ray& ray, const 
     const BasicTorus<double> exactTorus{double{torus.majorRadius}, r};
     for (int k = 0; k < count; ++k) {
         const auto& exact = truth.hits[static_cast<std::size_t>(k)];
-        const Vec3<double> position = widened(answers.all->position[k]);
+        const Vec3<double> position = widened(answers.all.position[k]);
         const Vec3<double> off{position[0] - exact.position[0], position[1] - exact.position[1],
                                position[2] - exact.position[2]};
         HitErrors& errors = judgement.errors[static_cast<std::size_t>(judgement.hitCount++)];
         errors.position = length(off) / size;
-        errors.t = ulpsBetween(exact.t, answers.all->t[k], size / rayLength);
+        const float t = answers.all.t[k];
+        errors.t = std::abs(exact.t - double{t}) / ulpOf(t, size / rayLength);
         errors.surface = std::abs(reference::tubeDistance(exactTorus, position)) / size;
         if (judgement.fault == Fault::None && !(errors.position * size <= grossError * r)) {
             judgement.fault = Fault::Gross;

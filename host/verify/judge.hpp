@@ -6,7 +6,7 @@
 #include <array>
 
 #include "reference/torus_reference.hpp"
-#include "render/tracer.hpp"
+#include "verify/questions.hpp"
 
 namespace raytorus::verify {
 
@@ -23,13 +23,6 @@ Truth preciseTruth(const reference::Torus& torus, const reference::Ray& ray);
 /// right to 1e-10 (R + r), at any distance.
 Truth quickTruth(const reference::Torus& torus, const reference::Ray& ray);
 
-/// What torusIntersect, torusIntersectAll and torusOccluded said.
-struct Answers {
-    const render::NearestHit* nearest;
-    const render::AllHits* all;
-    float any;
-};
-
 enum class Fault {
     None,
     NonFinite,     ///< NaN or infinity in a hit
@@ -41,6 +34,10 @@ enum class Fault {
     Gross,         ///< a position off by more than grossError
 };
 inline constexpr std::size_t faultKinds = 8;
+
+/// Whether the three answers say the same: a hit or none, and the nearest hit has the bits of the first of
+/// all.
+bool agree(const Answers& answers);
 
 /// "missed", as tables head their columns.
 const char* nameOf(Fault fault);
@@ -75,6 +72,9 @@ struct HitErrors {
     double t;
     double surface;  ///< of the position from the surface, in R + r
 };
+
+/// The ulp that HitErrors measures t in. `size` is R + r in lengths of the direction.
+double ulpOf(float t, double size);
 
 struct Judgement {
     Fault fault = Fault::None;

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <functional>
 
-#include "render/tracer.hpp"
 #include "verify/cell.hpp"
+#include "verify/questions.hpp"
 
 namespace raytorus::verify {
 
@@ -24,21 +24,17 @@ public:
     /// One ray, by the arbiter, however near a tangent.
     struct Replay {
         reference::Intersections truth;
-        render::NearestHit nearest;
-        render::AllHits all;
-        float any;
+        Answers answers;
         Judgement judgement;
     };
     Replay replay(const reference::Torus& torus, const reference::Ray& ray);
 
 private:
-    struct Block;
-    Statistics judgeBlock(const Cell& cell, const Block& block) const;
+    Statistics judgeBlock(const Cell& cell, const std::vector<reference::Ray>& rays,
+                          const std::vector<Answers>& answers) const;
 
     unsigned threads;
-    render::Tracer nearest;
-    render::Tracer all;
-    render::Tracer any;
+    Questions questions;
 };
 
 }  // namespace raytorus::verify
