@@ -58,7 +58,7 @@ Judgement HitJudge::judgeAll(const reference::Torus& torus, const std::vector<re
     Judgement judgement;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const verify::Truth truth = verify::arbiterTruth(torus, rays[i]);
-        if ((clearOnly && truth.clearance < verify::clearMargin) || truth.endClearance() < endMargin) {
+        if (!verify::isClear(truth, clearOnly ? verify::clearMargin : 0.0, endMargin)) {
             ++judgement.unclear;
             continue;
         }

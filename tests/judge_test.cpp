@@ -138,11 +138,11 @@ TEST(Judge, MeasuresTheDistanceFromTheSurface) {
 TEST(Truth, IsTheArbitersOnClearRays) {
     std::size_t hits = 0;
     for (const Cell& cell : chooseCells({})) {
-        const reference::Torus shape{1.0F, cell.minorRadius};
+        const reference::Torus shape = cell.torus();
         for (std::uint64_t i = 0; i < 8; ++i) {
             const reference::Ray drawn = cell.ray(11, i);
             const Truth exact = arbiterTruth(shape, drawn);
-            if (exact.clearance < (cell.isGrazing() ? cell.margin : clearMargin)) {
+            if (!isClear(exact, cell.tangentMargin(), 0.0)) {
                 continue;
             }
             const Truth fast = cell.isGrazing() ? preciseTruth(shape, drawn) : quickTruth(shape, drawn);

@@ -43,12 +43,12 @@ TEST_P(LooseArithmetic, ClearRaysAreRight) {
     test::setArithmetic(GetParam().arithmetic);
     verify::Statistics total;
     for (const verify::Cell& cell : clearCells()) {
-        const reference::Torus torus{1.0F, cell.minorRadius};
+        const reference::Torus torus = cell.torus();
         for (std::uint64_t i = 0; i < raysPerCell; ++i) {
             const reference::Ray ray = cell.ray(4711, i);
             const verify::Truth truth = verify::quickTruth(torus, ray);
-            if (truth.clearance < verify::clearMargin ||
-                truth.endClearance() < GetParam().endMargin * verify::clearEndMargin(torus)) {
+            if (!verify::isClear(truth, cell.tangentMargin(),
+                                 GetParam().endMargin * verify::clearEndMargin(torus))) {
                 continue;
             }
             const render::TraceRay traced = verify::asTraceRay(ray);

@@ -33,7 +33,7 @@ double between(double low, double high, int sixtyFourths) {
 
 reference::Ray Cell::ray(std::uint64_t seed, std::uint64_t index) const {
     reference::RayParameters parameters;
-    parameters.torus = {1.0F, minorRadius};
+    parameters.torus = torus();
     parameters.distance = distance;
     parameters.seed = seed;
     if (isGrazing()) {
@@ -92,7 +92,7 @@ Bar barOf(const Cell& cell) {
         bar.wrongPart = cell.minorRadius >= 0.25F   ? (close ? 0.002 : 0.0)
                         : cell.minorRadius >= 0.1F  ? (close ? 0.01 : 0.0)
                         : cell.minorRadius >= 0.01F ? (close ? 0.02 : 0.01)
-                                                    : (close ? 0.02 : 0.02);
+                                                    : 0.02;
         // There is nothing to promise of positions: the hits of a grazing ray move without bound with its
         // rounding.
         bar.positionMax = bar.positionP99 = bar.surfaceMax = bar.tP99 = bar.tMax = INFINITY;

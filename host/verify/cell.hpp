@@ -2,7 +2,6 @@
 // What is verified: cells of rays of one class, one shape of torus and one distance.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +18,9 @@ struct Cell {
     double marginTo = 0.0;      ///< ... to this
 
     [[nodiscard]] bool isGrazing() const { return rayClass == reference::RayClass::grazing; }
+    [[nodiscard]] reference::Torus torus() const { return {1.0F, minorRadius}; }
+    /// From here on its rays are clear, in r: see isClear.
+    [[nodiscard]] double tangentMargin() const { return isGrazing() ? margin : clearMargin; }
     /// The ray of that number.
     [[nodiscard]] reference::Ray ray(std::uint64_t seed, std::uint64_t index) const;
     /// "camera", "grazing 1e-06..1e-05".
@@ -34,7 +36,7 @@ struct CellChoice {
 /// Every combination that exists. Classes that start at the torus have one distance, none.
 std::vector<Cell> chooseCells(const CellChoice& choice);
 
-/// What is allowed of a cell. Nothing where nothing is promised: thin tori within 1e-5 r of a tangent.
+/// What is allowed of a cell. Of grazing rays a few may be wrong, and their hits off without bound.
 struct Bar {
     double wrongPart = 0.0;  ///< faults, as a part of the judged rays
     double positionMax = 0.0;

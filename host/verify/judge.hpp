@@ -56,6 +56,11 @@ inline double clearEndMargin(const reference::Torus& torus) {
     return std::max(2e-5, 2e-7 * (double{torus.majorRadius} + r) / r);
 }
 
+/// Whether a ray has one right answer, by these margins. Both are measured on the ray as rounded to floats.
+inline bool isClear(const Truth& truth, double tangentMargin, double endMargin) {
+    return truth.clearance >= tangentMargin && truth.endClearance() >= endMargin;
+}
+
 /// How far a position of a clear ray may be from the exact hit of the ray as given, in R + r: 2^-24 for the
 /// exact position, rounded, and half as much again for all other roundings (docs/accuracy.md).
 inline constexpr double positionBound = 9e-8;

@@ -20,13 +20,6 @@ void inParallel(unsigned threads, std::size_t count,
     }
 }
 
-// Whether a ray has one right answer; of a grazing one its ends alone decide, being nearly tangent is its
-// point.
-bool isClear(const Cell& cell, const Truth& truth, double endMargin) {
-    return truth.clearance >= (cell.isGrazing() ? cell.margin : clearMargin) &&
-           truth.endClearance() >= endMargin;
-}
-
 }  // namespace
 
 Verifier::Verifier(gpu::Context& context, const render::ShaderSource& shaders, unsigned wantedThreads)
@@ -35,7 +28,7 @@ Verifier::Verifier(gpu::Context& context, const render::ShaderSource& shaders, u
 
 Statistics Verifier::judgeBlock(const Cell& cell, const std::vector<reference::Ray>& rays,
                                 const std::vector<Answers>& answers) const {
-    const reference::Torus torus{1.0F, cell.minorRadius};
+    const reference::Torus torus = cell.torus();
     const double endMargin = clearEndMargin(torus);
     Statistics total;
     std::mutex mutex;
@@ -44,7 +37,7 @@ Statistics Verifier::judgeBlock(const Cell& cell, const std::vector<reference::R
         for (std::size_t i = from; i < to; ++i) {
             const reference::Ray& ray = rays[i];
             Truth truth = cell.isGrazing() ? preciseTruth(torus, ray) : quickTruth(torus, ray);
-            if (!isClear(cell, truth, endMargin)) {
+            if (!isClear(truth, cell.tangentMargin(), endMargin)) {
                 ++part.rays;
                 ++part.unclear;
                 continue;
@@ -73,7 +66,7 @@ Statistics Verifier::verify(const Cell& cell, std::uint64_t seed, std::uint64_t 
                 rays[i] = cell.ray(seed, first + i);
             }
         });
-        total.merge(judgeBlock(cell, rays, questions.ask({1.0F, cell.minorRadius}, rays)));
+        total.merge(judgeBlock(cell, rays, questions.ask(cell.torus(), rays)));
         if (progress) {
             progress(first + rays.size());
         }
