@@ -42,10 +42,10 @@ float torus_parabolaRoot(float minimum, float value, float flatness, bool rising
 }
 
 // The crossing `index` of the whole line (0 into, 1 out of the first span; 2 into, 3 out of the second) if it exists.
-// u is near it; torus_hit makes it exact.
-bool torus_crossing(torus_Line line, torus_Spans spans, int index, bool wanted, out float u) {
+// u is near it; torus_hit makes it exact. `rising` says whether it leads out, where G rises.
+bool torus_crossing(torus_Line line, torus_Spans spans, int index, bool wanted, out float u, out bool rising) {
     bool atFirst = index < 2;
-    bool rising = index == 1 || index == 3;
+    rising = index == 1 || index == 3;
     bool inner = index == 1 || index == 2;
     bool exists = wanted && (atFirst ? spans.first : spans.second) && !(inner && spans.joined);
     // Between the minima the bracket ends at the maximum if both dip; if one does, nothing else crosses beyond it.
@@ -70,8 +70,7 @@ bool torus_firstCrossing(torus_Line line, out float u, out bool rising) {
     torus_split(line, inside || !firstAhead, spans);
     bool leavesFirst = spans.first && (!spans.second || (!spans.joined && line.lower < spans.middle));
     int index = inside ? (leavesFirst ? 1 : 3) : (firstAhead ? 0 : 2);
-    rising = inside;
-    return torus_crossing(line, spans, index, inside || firstAhead || secondAhead, u);
+    return torus_crossing(line, spans, index, inside || firstAhead || secondAhead, u, rising);
 }
 
 // Whether the interval holds any crossing: its ends lie on different sides, or a dip lies between them, or a gap.

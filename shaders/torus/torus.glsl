@@ -158,9 +158,10 @@ int torusIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, floa
     float from = tMin;  // where a line touches, rounding must not swap the pair
     for (int i = 0; i < 4; ++i) {
         float u = 0.0;
-        bool exists = torus_crossing(line, spans, i, true, u);
+        bool rising = false;
+        bool exists = torus_crossing(line, spans, i, true, u, rising);
         float exactU;
-        TorusHit hit = torus_hit(line, u, i == 1 || i == 3, from, tMax, exactU);
+        TorusHit hit = torus_hit(line, u, rising, from, tMax, exactU);
         if (exists && exactU >= line.lower && exactU <= line.upper) {
             hits[count] = hit;
             from = hit.t;
