@@ -288,50 +288,41 @@ bool torus_isTame(TorusReducedQuartic f) {
     return abs(f.alpha) <= 1.0e5 && abs(f.cz) <= 1.0e7 && abs(f.beta) <= 1.0e10;
 }
 
+// Private: the real roots by zeta = cbrt(part (gamma + sqrt(epsilon))) and y = zeta / (3 k) + k delta / (3 zeta). The
+// halving may be done under the cube root (part = 1/2, k = 1) or after it (part = 1, k = cbrt(2)): k^3 = 2 part.
+int torus_rootsByParts(TorusReducedQuartic quartic, float part, float k, out float roots[4]) {
+    for (int i = 0; i < 4; ++i) {
+        roots[i] = 0.0;
+    }
+    if (!torus_isTame(quartic)) {
+        return 0;
+    }
+    torus_Resolvent g = torus_resolvent(quartic);
+    TORUS_PRECISE float y = 0.0;
+    if (g.epsilon < 0.0) {
+        y = torus_complexCase(g);
+    } else {
+        TORUS_PRECISE float zeta = torus_cubeRoot(part * torus_zetaCube(g));
+        // zeta = 0 takes gamma = delta = 0: a triple root of the resolvent, y = 0.
+        y = zeta != 0.0 ? zeta / (3.0 * k) + k * g.delta / (3.0 * zeta) : 0.0;
+    }
+    return torus_pairs(quartic, y, roots);
+}
+
 // The real roots of the reduced quartic, first version: zeta = cbrt((gamma + sqrt(epsilon)) / 2) (math.md, eq. 18).
 //
 // quartic    |alpha| <= 1e5, |c z| <= 1e7, |beta| <= 1e10; otherwise, and for NaN, there are no roots
 // roots      ascending, multiple ones as often as they count; entries past the last one are 0
 // returns    their number: 0, 2 or 4
 int torusReducedRoots(TorusReducedQuartic quartic, out float roots[4]) {
-    for (int i = 0; i < 4; ++i) {
-        roots[i] = 0.0;
-    }
-    if (!torus_isTame(quartic)) {
-        return 0;
-    }
-    torus_Resolvent g = torus_resolvent(quartic);
-    TORUS_PRECISE float y = 0.0;
-    if (g.epsilon < 0.0) {
-        y = torus_complexCase(g);
-    } else {
-        TORUS_PRECISE float zeta = torus_cubeRoot(0.5 * torus_zetaCube(g));
-        // zeta = 0 takes gamma = delta = 0: a triple root of the resolvent, y = 0.
-        y = zeta != 0.0 ? zeta / 3.0 + g.delta / (3.0 * zeta) : 0.0;
-    }
-    return torus_pairs(quartic, y, roots);
+    return torus_rootsByParts(quartic, 0.5, 1.0, roots);
 }
 
 // The same, second version: zeta = cbrt(gamma + sqrt(epsilon)), the 2 moved into the solutions (math.md, eq. 19).
 //
 // quartic, roots, returns   as for torusReducedRoots
 int torusReducedRootsUnhalved(TorusReducedQuartic quartic, out float roots[4]) {
-    for (int i = 0; i < 4; ++i) {
-        roots[i] = 0.0;
-    }
-    if (!torus_isTame(quartic)) {
-        return 0;
-    }
-    torus_Resolvent g = torus_resolvent(quartic);
-    TORUS_PRECISE float y = 0.0;
-    if (g.epsilon < 0.0) {
-        y = torus_complexCase(g);
-    } else {
-        TORUS_PRECISE float zeta = torus_cubeRoot(torus_zetaCube(g));
-        TORUS_PRECISE float two = torus_cubeRoot(2.0);
-        y = zeta != 0.0 ? zeta / (3.0 * two) + two * g.delta / (3.0 * zeta) : 0.0;
-    }
-    return torus_pairs(quartic, y, roots);
+    return torus_rootsByParts(quartic, 1.0, torus_cubeRoot(2.0), roots);
 }
 
 // Where the whole line of a ray meets the torus: every real root of its quartic, both sheets of a spindle.
