@@ -98,22 +98,12 @@ bool polishedFormRoot(torus_Line line, PolishedForm state, int index, out float 
     return square >= 0.0 && sheet >= 0.0;
 }
 
-bool polishedFormFirst(torus_Line line, PolishedForm state, bool inside, float from, out float u) {
-    bool found = false;
-    u = 0.0;
-    for (int i = inside ? 1 : 0; i < 4 && !found; i += 2) {
-        found = polishedFormRoot(line, state, i, u) && u >= from;
-    }
-    return found;
-}
-
 #define QUARTIC_INTERSECT polishedFormIntersect
 #define QUARTIC_OCCLUDED polishedFormOccluded
 #define QUARTIC_INTERSECT_ALL polishedFormIntersectAll
 #define QUARTIC_STATE PolishedForm
 #define QUARTIC_PREPARE polishedFormPrepare
 #define QUARTIC_ROOT polishedFormRoot
-#define QUARTIC_FIRST polishedFormFirst
 #include "quartic_hits.glsl"
 
 #define RAY_INTERSECT polishedFormIntersect

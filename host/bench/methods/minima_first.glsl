@@ -170,30 +170,24 @@ bool minimaFirstFirst(torus_Line line, MinimaFirst state, bool inside, float fro
     return minimaFirstRoot(line, state, index, u) && (inside || firstAhead || secondAhead);
 }
 
+// Without a root: a dip lies between the ends, or a gap.
+bool minimaFirstBetween(torus_Line line, MinimaFirst state, bool inside) {
+    bool dip = (state.first && state.firstMinimum >= line.lower && state.firstMinimum <= line.upper) ||
+               (state.second && state.secondMinimum >= line.lower && state.secondMinimum <= line.upper);
+    bool gap = state.first && state.second && !state.joined && line.lower < state.middle &&
+               line.upper > state.middle;
+    return inside ? gap : dip;
+}
+
 #define QUARTIC_INTERSECT minimaFirstIntersect
+#define QUARTIC_OCCLUDED minimaFirstOccluded
 #define QUARTIC_INTERSECT_ALL minimaFirstIntersectAll
 #define QUARTIC_STATE MinimaFirst
 #define QUARTIC_PREPARE minimaFirstPrepare
 #define QUARTIC_ROOT minimaFirstRoot
 #define QUARTIC_FIRST minimaFirstFirst
+#define QUARTIC_BETWEEN minimaFirstBetween
 #include "quartic_hits.glsl"
-
-// No roots: the ends lie on different sides, or a dip or a gap lies between them.
-bool minimaFirstOccluded(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax) {
-    torus_Line line;
-    if (!torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line)) {
-        return false;
-    }
-    MinimaFirst state = minimaFirstPrepare(line);
-    float slope;
-    bool insideLower = torus_tube(line, line.lower, slope) < 0.0;
-    bool insideUpper = torus_tube(line, line.upper, slope) < 0.0;
-    bool dip = (state.first && state.firstMinimum >= line.lower && state.firstMinimum <= line.upper) ||
-               (state.second && state.secondMinimum >= line.lower && state.secondMinimum <= line.upper);
-    bool gap = state.first && state.second && !state.joined && line.lower < state.middle &&
-               line.upper > state.middle;
-    return insideLower != insideUpper || (insideLower ? gap : dip);
-}
 
 #define RAY_INTERSECT minimaFirstIntersect
 #define RAY_OCCLUDED minimaFirstOccluded

@@ -78,22 +78,12 @@ bool newtonQuarticRoot(torus_Line line, NewtonQuartic state, int index, out floa
     return found && sheet >= 0.0;
 }
 
-bool newtonQuarticFirst(torus_Line line, NewtonQuartic state, bool inside, float from, out float u) {
-    bool found = false;
-    u = 0.0;
-    for (int i = inside ? 1 : 0; i < 4 && !found; i += 2) {
-        found = newtonQuarticRoot(line, state, i, u) && u >= from;
-    }
-    return found;
-}
-
 #define QUARTIC_INTERSECT newtonQuarticIntersect
 #define QUARTIC_OCCLUDED newtonQuarticOccluded
 #define QUARTIC_INTERSECT_ALL newtonQuarticIntersectAll
 #define QUARTIC_STATE NewtonQuartic
 #define QUARTIC_PREPARE newtonQuarticPrepare
 #define QUARTIC_ROOT newtonQuarticRoot
-#define QUARTIC_FIRST newtonQuarticFirst
 #include "quartic_hits.glsl"
 
 #define RAY_INTERSECT newtonQuarticIntersect

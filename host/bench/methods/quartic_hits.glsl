@@ -2,15 +2,17 @@
 // From a method's rough roots to the three questions, the same for every method on the reduced quartic: the library's
 // reduction before, its exact last step after. The including file names the method by macros:
 //
-//     QUARTIC_INTERSECT, QUARTIC_INTERSECT_ALL    the functions to define
-//     QUARTIC_OCCLUDED    the same, unless the method can answer without roots
+//     QUARTIC_INTERSECT, QUARTIC_OCCLUDED, QUARTIC_INTERSECT_ALL    the functions to define
 //     QUARTIC_STATE       what the method knows of a line before it looks for a root
 //     QUARTIC_STATE QUARTIC_PREPARE(torus_Line line)
 //     bool QUARTIC_ROOT(torus_Line line, QUARTIC_STATE state, int index, out float u)
 //                         crossing 0 to 3 of the outer sheet on the whole line, ascending, if it exists: the even ones
 //                         lead into the solid, the odd ones out
 //     bool QUARTIC_FIRST(torus_Line line, QUARTIC_STATE state, bool inside, float from, out float u)
-//                         the first of them beyond `from` that leads out if `inside`, else in
+//                         the first of them beyond `from` that leads out if `inside`, else in; may be left out
+//     bool QUARTIC_BETWEEN(torus_Line line, QUARTIC_STATE state, bool inside)
+//                         whether the ray crosses between two ends that are both inside, or both outside; may be left
+//                         out
 
 #include "reduced_quartic.glsl"
 
@@ -22,6 +24,28 @@ float quarticFrom(torus_Line line) {
     TORUS_PRECISE float from = line.lower - QUARTIC_ROOM * line.minorRadius;
     return line.lower > -line.halfChord ? from : -TORUS_FLOAT_MAX;
 }
+
+#ifndef QUARTIC_FIRST
+#define QUARTIC_FIRST quarticFirst
+bool quarticFirst(torus_Line line, QUARTIC_STATE state, bool inside, float from, out float u) {
+    bool found = false;
+    u = 0.0;
+    for (int i = inside ? 1 : 0; i < 4 && !found; i += 2) {
+        found = QUARTIC_ROOT(line, state, i, u) && u >= from;
+    }
+    return found;
+}
+#endif
+
+#ifndef QUARTIC_BETWEEN
+#define QUARTIC_BETWEEN quarticBetween
+bool quarticBetween(torus_Line line, QUARTIC_STATE state, bool inside) {
+    TORUS_PRECISE float to = line.upper - QUARTIC_ROOM * line.minorRadius;
+    float from = quarticFrom(line);
+    float u = 0.0;
+    return QUARTIC_FIRST(line, state, inside, from, u) && u <= to;
+}
+#endif
 
 bool QUARTIC_INTERSECT(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out TorusHit hit) {
     hit = torus_miss(tMax);
@@ -46,8 +70,7 @@ bool QUARTIC_INTERSECT(Torus torus, vec3 origin, float tMin, vec3 direction, flo
     return true;
 }
 
-#ifdef QUARTIC_OCCLUDED
-// Ends on different sides, or the first crossing lies between.
+// Ends on different sides, or a crossing between them.
 bool QUARTIC_OCCLUDED(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax) {
     torus_Line line;
     if (!torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line)) {
@@ -57,14 +80,9 @@ bool QUARTIC_OCCLUDED(Torus torus, vec3 origin, float tMin, vec3 direction, floa
     float slope;
     bool insideLower = torus_tube(line, line.lower, slope) < 0.0;
     bool insideUpper = torus_tube(line, line.upper, slope) < 0.0;
-    TORUS_PRECISE float room = QUARTIC_ROOM * line.minorRadius;
-    float from = quarticFrom(line);
-    TORUS_PRECISE float to = line.upper - room;
-    float u = 0.0;
-    bool crossed = QUARTIC_FIRST(line, state, insideLower, from, u) && u <= to;
-    return insideLower != insideUpper || crossed;
+    bool between = QUARTIC_BETWEEN(line, state, insideLower);
+    return insideLower != insideUpper || between;
 }
-#endif
 
 int QUARTIC_INTERSECT_ALL(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out TorusHit hits[4]) {
     for (int i = 0; i < 4; ++i) {
