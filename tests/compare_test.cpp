@@ -58,6 +58,9 @@ TEST(Compare, OtherSizeOrChannelsAreNotCompared) {
     EXPECT_EQ(compare(expected, image(4, 4, {"R", "Z"}), {}).sentence,
               "The images cannot be compared: the expected one has 4 x 3 pixels with the channels R, G, B, "
               "the actual one 4 x 4 pixels with the channels R, Z.");
+    EXPECT_EQ(
+        compare(expected, image(4, 4), {}).sentence,
+        "The images cannot be compared: the expected one has 4 x 3 pixels, the actual one 4 x 4 pixels.");
     EXPECT_EQ(compare(Image(), Image(), {}).verdict,
               Verdict::SizeDiffers);  // nothing is never equal to nothing
 }

@@ -70,6 +70,10 @@ TEST(CompareTruth, TheSameValuesAreIdenticalWithoutTheChannelsOfTheTruth) {
 TEST(CompareTruth, ChannelsOfTheActualImageMustBeThoseOfTheValues) {
     Image fewer(4, 3, {valueNames.begin(), valueNames.end() - 1});
     EXPECT_EQ(compare(truth(), fewer, {}).verdict, Verdict::SizeDiffers);
+    EXPECT_EQ(
+        compare(Image(1, 1, {"id", "margin"}), Image(1, 1, {"t"}), {}).sentence,
+        "The images cannot be compared: the expected one has 1 x 1 pixels with the channels id, the actual "
+        "one 1 x 1 pixels with the channels t.");
     std::vector<std::string> names = valueNames;
     names.push_back("margin");
     EXPECT_EQ(compare(truth(), Image(4, 3, names), {}).verdict, Verdict::SizeDiffers);

@@ -15,6 +15,8 @@ raytorus_add_tests(image_tests
         difference_test.cpp
         manifest_test.cpp
         report_test.cpp
+        report_data_test.cpp
+        report_sample.cpp
         compare_command_test.cpp
         # The command itself, without the program around it.
         "${PROJECT_SOURCE_DIR}/host/cli/compare_command.cpp"

@@ -71,23 +71,48 @@ TEST(Report, EscapesWhatCasesAreCalled) {
     EXPECT_EQ(count(html, "<script>"), 1u);  // our own
     EXPECT_EQ(count(html, "<i>"), 0u);
     EXPECT_EQ(count(html, "&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt;&amp;&#39;"), 2u);
-    EXPECT_EQ(count(html, "<td>&lt;i&gt;</td>"), 1u);
+    EXPECT_EQ(count(html, "<td>&lt;i&gt;</td>"),
+              2u);  // in the table of channels and in that of the worst pixel
     EXPECT_EQ(escapeHtml("plain text, 1 + 1"), "plain text, 1 + 1");
 }
 
-TEST(Report, ShowsFailuresFirstAndOpenOtherwiseInOrder) {
+// The places of these cases in the page, which must be this order.
+void expectOrder(const std::string& html, const std::vector<std::string>& names) {
+    std::vector<std::size_t> places;
+    for (const std::string& name : names) {
+        places.push_back(html.find("<h2>" + name + "</h2>"));
+        EXPECT_NE(places.back(), std::string::npos) << name;
+    }
+    EXPECT_TRUE(std::ranges::is_sorted(places)) << testing::PrintToString(places);
+}
+
+TEST(Report, ShowsFailuresFirstAndTheFirstOpen) {
     const std::string html = reportHtml(
         std::vector{made("pass-b", image(0.5f), image(0.5f)), made("fail-b", image(0.5f), image(0.75f)),
                     made("pass-a", image(0.5f), image(0.5f)), missing("fail-a")});
-    std::vector<std::size_t> places;
-    for (const char* name : {"fail-b", "fail-a", "pass-b", "pass-a"}) {
-        places.push_back(html.find("<h2>" + std::string(name) + "</h2>"));
-        EXPECT_NE(places.back(), std::string::npos) << name;
-    }
-    EXPECT_TRUE(std::ranges::is_sorted(places));
-    EXPECT_EQ(count(html, "<details class=\"case failed\" open>"), 2u);
-    EXPECT_EQ(count(html, "<details class=\"case\">"), 2u);
+    expectOrder(html, {"fail-b", "fail-a", "pass-b", "pass-a"});
+    EXPECT_EQ(count(html, "<details class=\"case failed"), 2u);
+    EXPECT_EQ(count(html, "<details class=\"case\""), 2u);
+    EXPECT_EQ(count(html, " open style="), 1u);
+    EXPECT_LT(html.find(" open style="), html.find("<h2>fail-b</h2>"));
     EXPECT_EQ(count(html, "2 of 4 cases failed."), 1u);
+    EXPECT_EQ(count(reportHtml(std::vector{made("a", image(0.5f), image(0.5f))}), " open style="), 0u);
+}
+
+TEST(Report, ShowsTheWorstFirstByDifferenceOverTolerance) {
+    const auto within = [](const std::string& name, float difference, double tolerance) {
+        CompareRules rules;
+        rules.defaultRule.tolerance = tolerance;
+        const Image actual = image(0.5f + difference);
+        return reportCase(name, image(0.5f), actual, compare(image(0.5f), actual, rules));
+    };
+    const std::vector<ReportCase> cases = {within("quarter", 0.25f, 1.0), within("twice", 0.5f, 0.25),
+                                           within("half", 0.125f, 0.25), within("thrice", 0.375f, 0.125),
+                                           missing("missing")};
+    expectOrder(reportHtml(cases), {"missing", "thrice", "twice", "half", "quarter"});
+    EXPECT_EQ(badness(cases[0]), 0.25);
+    EXPECT_EQ(badness(cases[4]), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(count(reportHtml(cases), ">3 &times; tolerance<"), 1u);
 }
 
 TEST(Report, TellsVerdictSentenceAndNumbers) {
@@ -95,8 +120,9 @@ TEST(Report, TellsVerdictSentenceAndNumbers) {
     const std::string html = reportHtml(std::vector{reported});
     EXPECT_EQ(count(html, "<span class=\"verdict\">differ</span>"), 1u);
     EXPECT_EQ(count(html, escapeHtml(reported.sentence)), 1u);
-    EXPECT_EQ(count(html, "<tr class=\"over\">"), 4u);
-    EXPECT_EQ(count(html, "<td>0.25</td>"), 12u);  // largest, mean and RMS of four channels
+    EXPECT_EQ(count(html, "<tr class=\"over\">"), 8u);  // four channels, four values of the worst pixel
+    EXPECT_EQ(count(html, "<td>0.25</td>"),
+              16u);  // largest, mean and RMS of a channel, and of the worst pixel
     EXPECT_EQ(count(reportHtml(std::vector{missing("m")}), "<span class=\"verdict\">failed</span>"), 1u);
     EXPECT_EQ(count(reportHtml({}), "There are no cases."), 1u);
 }
@@ -106,9 +132,60 @@ TEST(Report, ShowsImagesThatCannotBeCompared) {
     bad.pixels[0] = std::numeric_limits<float>::quiet_NaN();
     const std::string html = reportHtml(
         std::vector{made("bad", bad, image(0.5f)), made("small", image(0.5f), Image(2, 2, {"Z"}))});
-    EXPECT_EQ(count(html, "non-finite"), 1u);
-    EXPECT_EQ(count(html, "size differs"), 1u);
-    EXPECT_EQ(count(html, "data-kind=\"difference\""), 1u);  // there is none of images of other size
+    EXPECT_EQ(count(html, ">non-finite<"), 1u);
+    EXPECT_EQ(count(html, ">size differs<"), 1u);
+    EXPECT_EQ(count(html, "data-kind=\"heat\""), 1u);  // there is none of images of other size
+}
+
+TEST(Report, ShowsMarginsOnlyAgainstATruth) {
+    Image truth = image(0.5f, {"R", "G", "B", "A", "margin.color"});
+    truth.pixel(5, 3)[4] = 2.0f;
+    const std::string html =
+        reportHtml(std::vector{made("truth", truth, image(0.5f)), made("plain", image(0.5f), image(0.5f))});
+    EXPECT_EQ(count(html, "data-kind=\"margin\""), 1u);
+    EXPECT_EQ(count(html, "margin.color: 23 marginal, 0 flipped"), 1u);
+}
+
+TEST(Report, TellsWhoeverReadsItWhatToDo) {
+    ReportCase reported = made("other", image(0.5f), image(0.5f));
+    EXPECT_EQ(count(reportHtml(std::vector{reported}), "class=\"command\""), 0u);
+    EXPECT_EQ(count(reportHtml(std::vector{reported}), "class=\"catches\""), 0u);
+    reported.actual->pixel(4, 2)[1] = 0.75f;
+    reported = made("other", *reported.expected, *reported.actual);
+    reported.catches = "seams & edges";
+    reported.explainCommand = "explain --pixel {x},{y}";
+    reported.rerunCommand = "test 'other'";
+    reported.renewCommand = "renew other";
+    const std::string html = reportHtml(std::vector{reported});
+    EXPECT_EQ(count(html, "seams &amp; edges"), 1u);
+    EXPECT_EQ(count(html, ">explain --pixel 4,2</code>"), 1u);
+    EXPECT_EQ(count(html, "data-command=\"explain --pixel {x},{y}\""), 1u);
+    EXPECT_EQ(count(html, ">test &#39;other&#39;</code>"), 1u);
+    EXPECT_EQ(count(html, ">renew other</code>"), 1u);
+}
+
+TEST(Report, FindsThePixelToLookAtFirst) {
+    Image expected = image(0.5f, {"R", "G", "B", "id", "margin", "tolerance.color"});
+    for (int y = 0; y < expected.height; ++y) {
+        for (int x = 0; x < expected.width; ++x) {
+            expected.pixel(x, y)[4] = x == 0 ? 0.0f : 1.0f;
+            expected.pixel(x, y)[5] = y == 0 ? 1.0f : 0.125f;
+        }
+    }
+    Image actual = image(0.5f, {"R", "G", "B", "id"});
+    const auto worst = [&] { return worstPixel(made("case", expected, actual)); };
+    EXPECT_EQ(worst(), std::nullopt);
+    actual.pixel(0, 2)[3] = 7.0f;  // a flip
+    EXPECT_EQ(worst(), (Pixel{0, 2}));
+    actual.pixel(4, 0)[1] = 1.0f;  // half a tolerance
+    EXPECT_EQ(worst(), (Pixel{4, 0}));
+    actual.pixel(3, 3)[2] = 0.625f;  // the whole of a smaller one
+    EXPECT_EQ(worst(), (Pixel{3, 3}));
+    actual.pixel(2, 1)[3] = 7.0f;  // no tolerance at all
+    EXPECT_EQ(worst(), (Pixel{2, 1}));
+    actual.pixel(5, 1)[0] = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_EQ(worst(), (Pixel{5, 1}));
+    EXPECT_EQ(worstPixel(missing("m")), std::nullopt);
 }
 
 TEST(ReportPicture, ColourIsShownAsItIsAndNonFiniteValuesInMagenta) {

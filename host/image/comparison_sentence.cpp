@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "image/channel_judge.hpp"
 #include "image/comparison_text.hpp"
 
 namespace raytorus::image {
@@ -21,10 +22,15 @@ std::string counted(std::int64_t count, std::string_view noun) {
     return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-// "64 x 48 pixels with the channels R, G, B".
-std::string shapeText(const Image& image) {
-    return fmt::format("{} x {} pixels with the channels {}", image.width, image.height,
-                       fmt::join(image.channelNames, ", "));
+// "64 x 48 pixels with the channels R, G, B". What only a truth has is nothing that another image lacks.
+std::string shapeText(const Image& image, bool withChannels, bool withTruth) {
+    std::string text = fmt::format("{} x {} pixels", image.width, image.height);
+    if (withChannels) {
+        std::vector<std::string> names = image.channelNames;
+        std::erase_if(names, [&](const std::string& name) { return !withTruth && isTruthChannel(name); });
+        text += fmt::format(" with the channels {}", fmt::join(names, ", "));
+    }
+    return text;
 }
 
 const char* sampleTypeText(SampleType type) {
@@ -46,8 +52,13 @@ std::string sizeSentence(const Image& expected, const Image& actual) {
         return fmt::format("The images cannot be compared: the expected one holds {}, the actual one {}.",
                            sampleTypeText(expected.sampleType), sampleTypeText(actual.sampleType));
     }
+    Image sameSize = actual;
+    sameSize.width = expected.width;
+    sameSize.height = expected.height;
+    const bool otherChannels = channelJudges(expected, sameSize, {}).empty();
+    const bool withTruth = isTruth(actual) || !isTruth(expected);
     return fmt::format("The images cannot be compared: the expected one has {}, the actual one {}.",
-                       shapeText(expected), shapeText(actual));
+                       shapeText(expected, otherChannels, withTruth), shapeText(actual, otherChannels, true));
 }
 
 std::string nonFinitePart(const char* which, const NonFiniteValues& values) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A picture of where two images differ, and whether it matters.
+// Pictures of where two images differ, and whether it matters.
 #include "image/difference.hpp"
 
 #include <algorithm>
@@ -18,6 +18,7 @@ namespace {
 using Colour = std::array<double, 3>;  // as shown: sRGB, 0 to 255
 
 constexpr Colour black = {0, 0, 0};
+constexpr Colour darkGrey = {40, 44, 52};
 constexpr Colour darkBlue = {24, 48, 128};
 constexpr Colour lightBlue = {96, 160, 255};
 constexpr Colour orange = {255, 112, 0};
@@ -80,9 +81,24 @@ Colour pixelColour(std::span<const float> expectedPixel, std::span<const float> 
     return flipped && !overLimit ? green : ramp(worst, overLimit);
 }
 
-}  // namespace
+Colour marginColour(std::span<const float> expectedPixel, std::span<const float> actualPixel,
+                    std::span<const ChannelJudge> judges) {
+    bool marginal = false;
+    for (const ChannelJudge& judge : judges) {
+        if (judge.marginal(expectedPixel)) {
+            if (judge.difference(expectedPixel, actualPixel) > judge.limit(expectedPixel)) {
+                return green;
+            }
+            marginal = true;
+        }
+    }
+    return marginal ? lightBlue : darkGrey;
+}
 
-Image differenceImage(const Image& expected, const Image& actual, const CompareRules& rules) {
+using ColourOf = Colour(std::span<const float> expectedPixel, std::span<const float> actualPixel,
+                        std::span<const ChannelJudge> judges);
+
+Image paint(const Image& expected, const Image& actual, const CompareRules& rules, ColourOf* colourOf) {
     const std::vector<ChannelJudge> judges = channelJudges(expected, actual, rules);
     if (judges.empty()) {
         throw Error(ExitCode::SizeDiffers,
@@ -94,7 +110,7 @@ Image differenceImage(const Image& expected, const Image& actual, const CompareR
             // Those that only a truth has, its margins and tolerances, are numbers too.
             const std::span<const float> expectedPixel = expected.pixel(x, y);
             const Colour colour = std::ranges::all_of(expectedPixel, isFinite)
-                                      ? pixelColour(expectedPixel, actual.pixel(x, y), judges)
+                                      ? colourOf(expectedPixel, actual.pixel(x, y), judges)
                                       : magenta;
             std::ranges::transform(colour, picture.pixel(x, y).begin(), [](double shown) {
                 return decodeSrgb(static_cast<std::uint8_t>(std::lround(shown)));
@@ -102,6 +118,16 @@ Image differenceImage(const Image& expected, const Image& actual, const CompareR
         }
     }
     return picture;
+}
+
+}  // namespace
+
+Image differenceImage(const Image& expected, const Image& actual, const CompareRules& rules) {
+    return paint(expected, actual, rules, pixelColour);
+}
+
+Image marginImage(const Image& expected, const Image& actual, const CompareRules& rules) {
+    return paint(expected, actual, rules, marginColour);
 }
 
 }  // namespace raytorus::image

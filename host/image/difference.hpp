@@ -18,4 +18,11 @@ namespace raytorus::image {
 /// Throws Error{ExitCode::SizeDiffers} when the images do not have the same size and channels.
 [[nodiscard]] Image differenceImage(const Image& expected, const Image& actual, const CompareRules& rules);
 
+/// R, G, B: where a truth is sure, and what came of where it is not.
+///   dark grey    sure of every channel
+///   blue         marginal for some, and the actual image is what was expected there
+///   green        a flip
+/// Throws Error{ExitCode::SizeDiffers} like differenceImage().
+[[nodiscard]] Image marginImage(const Image& expected, const Image& actual, const CompareRules& rules);
+
 }  // namespace raytorus::image

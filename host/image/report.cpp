@@ -1,108 +1,68 @@
 // SPDX-License-Identifier: MIT
-// The HTML of a report.
+// The page of a report, and what of a case decides its place there.
 #include "image/report.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
-#include <vector>
+#include <iterator>
+#include <limits>
+#include <system_error>
 
 #include "core/file.hpp"
-#include "image/channel_judge.hpp"
-#include "image/comparison_text.hpp"
-#include "image/difference.hpp"
-#include "image/report_picture.hpp"
+#include "image/report_case.hpp"
 #include "image/report_style.hpp"
 
 namespace raytorus::image {
 
 namespace {
 
-std::string verdictOf(const ReportCase& reported) {
-    if (reported.comparison) {
-        return verdictName(reported.comparison->verdict);
-    }
-    return reported.passed ? "passed" : "failed";
+std::size_t countFailed(std::span<const ReportCase> cases) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(cases, [](const ReportCase& reported) { return !reported.passed; }));
 }
 
-std::string figureHtml(std::string_view kind, std::string_view caption, bool swaps) {
-    return fmt::format(
-        "<figure><figcaption>{1}</figcaption><button class=\"picture {0}{2}\" data-kind=\"{0}\" "
-        "aria-label=\"{1}, enlarge\" style=\"aspect-ratio:var(--ratio)\"></button></figure>\n",
-        kind, caption, swaps ? " swaps" : "");
+std::vector<const ReportCase*> worstFirst(std::span<const ReportCase> cases) {
+    std::vector<const ReportCase*> sorted;
+    std::ranges::transform(cases, std::back_inserter(sorted),
+                           [](const ReportCase& reported) { return &reported; });
+    std::ranges::stable_sort(sorted, [](const ReportCase* one, const ReportCase* other) {
+        return std::pair(one->passed, -badness(*one)) < std::pair(other->passed, -badness(*other));
+    });
+    return sorted;
 }
 
-std::string picturesHtml(const ReportCase& reported) {
-    if (!reported.expected && !reported.actual) {
-        return {};
-    }
-    const bool both = reported.expected && reported.actual;
-    const Image& scale = reported.expected ? *reported.expected : *reported.actual;
-    std::string variables = fmt::format("--ratio:{}/{}", scale.width, scale.height);
-    std::string figures;
-    if (reported.expected) {
-        variables += ";--expected:url(" + pngDataUri(displayImage(*reported.expected, scale)) + ")";
-        figures += figureHtml("expected", "Expected", both);
-    }
-    if (reported.actual) {
-        variables += ";--actual:url(" + pngDataUri(displayImage(*reported.actual, scale)) + ")";
-        figures += figureHtml("actual", "Actual", both);
-    }
-    if (both && !channelJudges(*reported.expected, *reported.actual, {}).empty()) {
-        const CompareRules rules = reported.comparison ? reported.comparison->rules : CompareRules();
-        const Image difference = differenceImage(*reported.expected, *reported.actual, rules);
-        variables += ";--difference:url(" + pngDataUri(difference) + ")";
-        figures += figureHtml("difference", "Difference", false);
-    }
-    return fmt::format("<div class=\"pictures\" style=\"{}\">\n{}</div>\n", variables, figures);
-}
-
-std::string rowHtml(const NumberRow& cells, std::string_view tag, bool over) {
-    std::string row = over ? "<tr class=\"over\">" : "<tr>";
-    for (const std::string& cell : cells) {
-        row += fmt::format("<{0}>{1}</{0}>", tag, escapeHtml(cell));
-    }
-    return row + "</tr>\n";
-}
-
-std::string numbersHtml(const Comparison& comparison) {
-    if (comparison.channels.empty()) {
-        return {};
-    }
-    const std::vector<NumberRow> rows = numberRows(comparison);
-    std::string html = "<div class=\"numbers\"><table>\n" + rowHtml(rows.front(), "th", false);
-    for (std::size_t channel = 0; channel < comparison.channels.size(); ++channel) {
-        html += rowHtml(rows[channel + 1], "td", comparison.channels[channel].overLimit > 0);
-    }
-    return html + fmt::format("</table></div>\n<p class=\"counts\">{}</p>\n", countsLine(comparison));
-}
-
-std::string caseHtml(const ReportCase& reported) {
-    return fmt::format(
-        "<details class=\"case{}\"{}>\n<summary><h2>{}</h2><span class=\"verdict\">{}</span>"
-        "<span class=\"sentence\">{}</span></summary>\n<div class=\"body\">\n{}{}</div>\n</details>\n",
-        reported.passed ? "" : " failed", reported.passed ? "" : " open", escapeHtml(reported.name),
-        verdictOf(reported), escapeHtml(reported.sentence), picturesHtml(reported),
-        reported.comparison ? numbersHtml(*reported.comparison) : std::string());
-}
-
-std::string headingHtml(std::size_t failed, std::size_t all) {
+std::string headingHtml(std::span<const ReportCase> cases, const ReportHeading& heading) {
+    const std::size_t all = cases.size();
+    const std::size_t failed = countFailed(cases);
     const std::string total = failed == 0 ? fmt::format("All {} cases passed.", all)
                                           : fmt::format("{} of {} cases failed.", failed, all);
+    std::string facts;
+    for (const auto& [name, text] : heading.facts) {
+        facts += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escapeHtml(name), escapeHtml(text));
+    }
     return fmt::format(
-        "<h1>Image comparison</h1>\n<p class=\"total\">{}</p>\n"
-        "<div class=\"bar\"><i style=\"width:{:.2f}%\"></i></div>\n"
-        "<div class=\"help\"><span>Point at a picture to swap expected and actual; click to enlarge.</span>"
-        "<span><b style=\"background:#000\"></b>equal</span>"
-        "<span><b style=\"background:linear-gradient(90deg,#183080,#60a0ff)\"></b>within the tolerance</span>"
-        "<span><b style=\"background:linear-gradient(90deg,#ff7000,#ffe040,#fff)\"></b>over it, up to 1000 "
-        "times</span>"
-        "<span><b style=\"background:#f0f\"></b>not finite</span></div>\n",
-        all == 0 ? "There are no cases." : total,
-        all == 0 ? 100.0 : 100.0 * static_cast<double>(failed) / static_cast<double>(all));
+        "<h1>{}</h1>\n<p class=\"total\">{}</p>\n"
+        "<div class=\"bar\"><i style=\"width:{:.2f}%\"></i></div>\n{}",
+        escapeHtml(heading.title), all == 0 ? "There are no cases." : total,
+        all == 0 ? 100.0 : 100.0 * static_cast<double>(failed) / static_cast<double>(all),
+        facts.empty() ? facts : "<dl class=\"facts\">\n" + facts + "</dl>\n");
 }
+
+constexpr const char* tools = R"html(<div class="tools">
+<input id="filter" type="search" placeholder="Filter, all of these words" aria-label="Filter">
+<label><input id="failed" type="checkbox"> Failed only</label>
+<button id="open">Open all</button><button id="close">Close all</button><output id="shown"></output></div>
+<div class="help"><span><b style="background:#000"></b>equal</span>
+<span><b style="background:linear-gradient(90deg,#183080,#60a0ff)"></b>within the tolerance</span>
+<span><b style="background:linear-gradient(90deg,#ff7000,#ffe040,#fff)"></b>over it, up to 1000 times</span>
+<span><b style="background:#40c060"></b>flip where the truth leaves it open</span>
+<span><b style="background:#f0f"></b>not finite</span></div>
+<p class="help">Point at a picture to swap expected and actual; click to mark a pixel; double click to enlarge.
+<span class="keys"><kbd>/</kbd> filter, <kbd>f</kbd> failed only, <kbd>j</kbd> <kbd>k</kbd> next and previous case;
+in a picture the <kbd>arrows</kbd> move the mark and <kbd>Enter</kbd> enlarges.</span></p>
+)html";
 
 }  // namespace
 
@@ -117,24 +77,63 @@ ReportCase reportCase(std::string name, Image expected, Image actual, Comparison
     return reported;
 }
 
-std::string reportHtml(std::span<const ReportCase> cases) {
-    std::vector<const ReportCase*> sorted;
-    std::ranges::transform(cases, std::back_inserter(sorted),
-                           [](const ReportCase& reported) { return &reported; });
-    std::ranges::stable_sort(sorted, {}, [](const ReportCase* reported) { return reported->passed; });
-    const auto failed = static_cast<std::size_t>(
-        std::ranges::count_if(cases, [](const ReportCase& reported) { return !reported.passed; }));
+std::vector<ReportCase> skippedCases(std::span<const std::string> names, std::span<const ReportCase> cases) {
+    std::vector<ReportCase> skipped;
+    for (const std::string& name : names) {
+        if (std::ranges::find(cases, name, &ReportCase::name) == cases.end()) {
+            ReportCase& reported = skipped.emplace_back();
+            reported.name = name;
+            reported.verdict = "skipped";
+            reported.sentence = "The case was skipped: it should have run, and nothing came of it.";
+        }
+    }
+    return skipped;
+}
 
-    std::string html =
+double badness(const ReportCase& reported) {
+    if (!reported.comparison || reported.comparison->channels.empty()) {
+        return reported.passed ? 0.0 : std::numeric_limits<double>::infinity();
+    }
+    return std::ranges::max(reported.comparison->channels, {}, &ChannelComparison::maxRatio).maxRatio;
+}
+
+std::optional<Pixel> worstPixel(const ReportCase& reported) {
+    if (!reported.comparison) {
+        return std::nullopt;
+    }
+    const Comparison& comparison = *reported.comparison;
+    for (const NonFiniteValues* values : {&comparison.actualNonFinite, &comparison.expectedNonFinite}) {
+        if (values->count > 0) {
+            return values->pixel;
+        }
+    }
+    const auto worst = std::ranges::max_element(
+        comparison.channels, {},
+        [](const ChannelComparison& channel) { return std::pair(channel.maxRatio, channel.maxDifference); });
+    if (worst != comparison.channels.end() && worst->maxRatio > 0.0) {
+        return worst->maxRatioPixel;
+    }
+    const auto flips = std::ranges::max_element(comparison.margins, {}, &MarginalPixels::flips);
+    if (flips != comparison.margins.end() && flips->flips > 0) {
+        return flips->firstFlip;
+    }
+    return std::nullopt;
+}
+
+std::string reportHtml(std::span<const ReportCase> cases, const ReportHeading& heading) {
+    std::string html = fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        "<title>Image comparison</title>\n<style>";
-    html += reportStyle();
-    html += "</style>\n</head>\n<body>\n" + headingHtml(failed, cases.size());
+        "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}{}<main>\n",
+        escapeHtml(heading.title), reportStyle(), headingHtml(cases, heading), tools);
+    const std::vector<const ReportCase*> sorted = worstFirst(cases);
     for (const ReportCase* reported : sorted) {
-        html += caseHtml(*reported);
+        // The worst failure is there to be looked at; the others are a list to choose from.
+        html += caseHtml(*reported, reported == sorted.front() && !reported->passed);
     }
-    html += "<dialog><p></p><button class=\"picture\" aria-label=\"Close\"></button></dialog>\n<script>";
+    html +=
+        "</main>\n<p id=\"none\" hidden>No case has all of these words.</p>\n"
+        "<dialog><p></p><button class=\"picture\" aria-label=\"Close\"></button></dialog>\n<script>";
     html += reportScript();
     return html + "</script>\n</body>\n</html>\n";
 }
@@ -142,6 +141,18 @@ std::string reportHtml(std::span<const ReportCase> cases) {
 void writeReport(const std::filesystem::path& path, std::span<const ReportCase> cases) {
     const std::string html = reportHtml(cases);
     writeFile(path, std::as_bytes(std::span(html)));
+}
+
+void writeReportFolder(const std::filesystem::path& folder, std::span<const ReportCase> cases,
+                       const ReportHeading& heading) {
+    std::error_code problem;
+    std::filesystem::create_directories(folder, problem);  // what is wrong, writing the first file tells
+    const auto write = [&folder](const char* name, const std::string& text) {
+        writeFile(folder / name, std::as_bytes(std::span(text)));
+    };
+    write("report.json", reportJson(cases, heading));
+    write("junit.xml", reportJunit(cases, heading));
+    write("index.html", reportHtml(cases, heading));
 }
 
 std::string escapeHtml(std::string_view text) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a report looks like and how it reacts: its style sheet and script, put into the page itself.
+// The style sheet and script of a report.
 #pragma once
 
 #include <string_view>
