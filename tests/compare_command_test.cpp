@@ -252,6 +252,20 @@ TEST_F(CompareCommand, TheDifferencePictureNeverReplacesAnInput) {
     EXPECT_EQ(namesIn(folder), (std::vector<std::string>{"actual.exr", "expected.exr"}));
 }
 
+TEST_F(CompareCommand, TheReportIsWrittenWhateverTheVerdict) {
+    const std::filesystem::path report = folder / "report";
+    EXPECT_EQ(run(with({"--report", report.string()})).code, ExitCode::ComparisonFailed);
+    EXPECT_EQ(namesIn(report), (std::vector<std::string>{"index.html", "junit.xml", "report.json"}));
+    const auto json = nlohmann::json::parse(test::fileText(report / "report.json"));
+    EXPECT_EQ(json["facts"]["expected"], expected);
+    EXPECT_EQ(json["results"][0]["name"], "actual");
+    EXPECT_EQ(json["results"][0]["comparison"]["exitCode"], 2);
+    image::writeImage(actual, Image(8, 7, {"R", "G", "B", "Z"}));
+    EXPECT_EQ(run(with({"--report", report.string()})).code, ExitCode::SizeDiffers);
+    EXPECT_NE(test::fileText(report / "junit.xml").find("size differs"), std::string::npos);
+    expectError([&] { run(with({"--report", actual})); }, ExitCode::File, {"actual.exr"});
+}
+
 TEST_F(CompareCommand, JsonIsAllThatIsPrinted) {
     const auto json = nlohmann::json::parse(run(with({"--json"})).text);
     EXPECT_EQ(json["verdict"], "differ");
@@ -265,7 +279,7 @@ TEST_F(CompareCommand, HelpHasExamples) {
     addCompareCommand(app, action);
     const std::string help = app.get_subcommand("compare")->help();
     for (const char* words : {"--tolerance", "--relative", "--ulp", "--allow", "--allow-flips", "--manifest",
-                              "--channel NAME=TOL", "--window-limit", "--difference", "--json",
+                              "--channel NAME=TOL", "--window-limit", "--difference", "--report", "--json",
                               "Examples:\n  raytorus compare", "Exit codes:"}) {
         EXPECT_NE(help.find(words), std::string::npos) << words << " is not in\n" << help;
     }

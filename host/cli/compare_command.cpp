@@ -11,6 +11,7 @@
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "cli/command.hpp"
 #include "image/compare.hpp"
@@ -18,6 +19,7 @@
 #include "image/difference.hpp"
 #include "image/image_io.hpp"
 #include "image/manifest.hpp"
+#include "image/report.hpp"
 
 namespace raytorus::cli {
 
@@ -29,6 +31,7 @@ struct CompareOptions {
     image::CompareRules rules;
     std::string manifestPath;
     std::string differencePath;
+    std::string reportFolder;
     bool json = false;
 };
 
@@ -102,6 +105,15 @@ void requireListed(const CompareOptions& options) {
     }
 }
 
+void writeReport(const CompareOptions& options, const image::Image& expected, const image::Image& actual,
+                 const image::Comparison& comparison) {
+    const std::string name = std::filesystem::path(options.actual).stem().string();
+    const image::ReportHeading heading = {"raytorus compare",
+                                          {{"expected", options.expected}, {"actual", options.actual}}};
+    image::writeReportFolder(options.reportFolder,
+                             std::vector{image::reportCase(name, expected, actual, comparison)}, heading);
+}
+
 ExitCode runCompare(const CompareOptions& options) {
     refuseToOverwriteInput(options);
     requireListed(options);
@@ -115,6 +127,9 @@ ExitCode runCompare(const CompareOptions& options) {
     }
     if (!options.differencePath.empty() && comparison.verdict != image::Verdict::SizeDiffers) {
         image::writeImage(options.differencePath, image::differenceImage(expected, actual, options.rules));
+    }
+    if (!options.reportFolder.empty()) {
+        writeReport(options, expected, actual, comparison);
     }
     return comparison.exitCode();
 }
@@ -132,7 +147,7 @@ Examples:
   raytorus compare expected.exr actual.exr --tolerance 1e-5 --channel Z=1e-4 --allow 8 --window-limit 3
   raytorus compare expected.exr actual.exr --relative 1e-6 --difference difference.png
   raytorus compare expected.png actual.png --tolerance 0.004 --json
-  raytorus compare golden/ring.exr out/ring.exr --manifest golden/manifest.json --channel t=4ulp
+  raytorus compare golden/ring.exr out/ring.exr --manifest golden/manifest.json --channel t=4ulp --report out/report
 
 Exit codes: 0 the images agree, 2 they differ, 3 size or channels differ, 4 a file cannot be read or written or
 is not the one in the manifest, 5 the command line is wrong, 12 an image holds NaN or infinity.)";
@@ -189,6 +204,8 @@ void addCompareCommand(CLI::App& app, Action& action) {
                   }
                   options->differencePath = path;
               });
+    command->add_option("--report", options->reportFolder, "Write index.html, report.json and junit.xml here")
+        ->type_name("FOLDER");
     command->add_flag("--json", options->json, "Print the result as JSON");
     command->callback([options, &action] { action = [options] { return runCompare(*options); }; });
 }
