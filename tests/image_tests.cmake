@@ -17,6 +17,8 @@ raytorus_add_tests(image_tests
         report_test.cpp
         report_data_test.cpp
         report_sample.cpp
+        report_browser_test.cpp
+        run_program.cpp
         compare_command_test.cpp
         # The command itself, without the program around it.
         "${PROJECT_SOURCE_DIR}/host/cli/compare_command.cpp"
