@@ -348,5 +348,26 @@ TEST(CompareTruth, TheDifferencePictureShowsAFlipInGreen) {
     EXPECT_EQ(colour(), (std::array{255, 0, 255}));
 }
 
+TEST(CompareTruth, TheMarginPictureShowsWhereItIsUnsureAndWhatFlipped) {
+    Image expected = truth();
+    at(expected, "margin", {1, 0}) = 0.0f;
+    at(expected, "margin.count", {2, 0}) = 0.0f;
+    Image actual = values();
+    at(actual, "id", {1, 0}) = 9.0f;
+    at(actual, "id", {2, 0}) = 9.0f;  // not what may flip there
+    at(actual, "id", {3, 0}) = 9.0f;
+    const Image picture = marginImage(expected, actual, {});
+    const auto colour = [&](int x, int y) {
+        const std::span<const float> shown = picture.pixel(x, y);
+        return std::array<int, 3>{encodeSrgb(shown[0]), encodeSrgb(shown[1]), encodeSrgb(shown[2])};
+    };
+    EXPECT_EQ(colour(0, 0), (std::array{40, 44, 52}));
+    EXPECT_EQ(colour(1, 0), (std::array{64, 192, 96}));
+    EXPECT_EQ(colour(2, 0), (std::array{96, 160, 255}));
+    EXPECT_EQ(colour(3, 0), (std::array{40, 44, 52}));
+    expectError([&] { std::ignore = marginImage(expected, Image(2, 2, {"R"}), {}); }, ExitCode::SizeDiffers,
+                {"size"});
+}
+
 }  // namespace
 }  // namespace raytorus::image

@@ -135,8 +135,9 @@ void addMarginalPixel(Comparison& result, const Margins& margins, std::span<cons
     result.flippedPixels += any ? 1 : 0;
 }
 
-void compareValues(Comparison& result, const Image& expected, const Image& actual,
-                   std::span<const ChannelJudge> judges) {
+// What will be counted: nothing yet.
+void startCounting(Comparison& result, const Image& expected, std::span<const ChannelJudge> judges,
+                   const Margins& margins) {
     result.width = expected.width;
     result.height = expected.height;
     for (const ChannelJudge& judge : judges) {
@@ -146,10 +147,15 @@ void compareValues(Comparison& result, const Image& expected, const Image& actua
         channel.exact = judge.exact;
         channel.perPixel = judge.tolerance.has_value();
     }
-    const Margins margins = findMargins(judges);
     for (const std::size_t channel : margins.channels) {
         result.margins.emplace_back().margin = expected.channelNames[channel];
     }
+}
+
+void compareValues(Comparison& result, const Image& expected, const Image& actual,
+                   std::span<const ChannelJudge> judges) {
+    const Margins margins = findMargins(judges);
+    startCounting(result, expected, judges, margins);
     std::vector<std::uint8_t> marks;
     marks.reserve(static_cast<std::size_t>(expected.width) * static_cast<std::size_t>(expected.height));
     std::vector<std::uint8_t> flipped(margins.channels.size());

@@ -92,7 +92,7 @@ std::string picturesHtml(const ReportCase& reported) {
     return figures.empty() ? figures : "<div class=\"pictures\">\n" + figures + "</div>\n";
 }
 
-// What lies round one pixel, by the pictures that are there already, enlarged by the script.
+// What lies round one pixel: the pictures that are there already, enlarged by the style.
 std::string worstHtml(const ReportCase& reported) {
     const std::optional<Pixel> worst = worstPixel(reported);
     if (!worst || !comparable(reported)) {
