@@ -99,9 +99,10 @@ TEST_F(ProgramHelp, OfTrace) {
 
 TEST_F(ProgramHelp, OfCompare) {
     const std::string help = expectOk({"compare", "--help"});
-    const std::set<std::string> expected = {"-h",      "--help",    "--tolerance",    "--relative",
-                                            "--allow", "--channel", "--window-limit", "--difference",
-                                            "--json"};
+    const std::set<std::string> expected = {
+        "-h",       "--help",        "--tolerance", "--relative",     "--ulp",
+        "--allow",  "--allow-flips", "--channel",   "--window-limit", "--manifest",
+        "--report", "--difference",  "--json"};
     EXPECT_EQ(optionsIn(help), expected);
     expectGoodExamples(help);
 }
