@@ -17,16 +17,6 @@ scene_io::vec4 pack(const glm::dvec3& v, double w = 0.0) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(w)};
 }
 
-scene_io::SceneMaterial pack(const Material& material) {
-    scene_io::SceneMaterial packed{pack(material.diffuse, material.roughness), pack(material.specular),
-                                   scene_io::vec4(0.0F), scene_io::vec4(0.0F)};
-    if (material.checker) {
-        packed.checkerDiffuse = pack(material.checker->diffuse);
-        packed.checkerCounts = {material.checker->countU, material.checker->countV, 0.0F, 0.0F};
-    }
-    return packed;
-}
-
 scene_io::SceneLight pack(const Light& light) {
     const bool directional = light.type == Light::Type::Directional;
     return {directional ? pack(glm::normalize(light.vector)) : pack(light.vector, 1.0), pack(light.color)};
@@ -65,6 +55,16 @@ scene_io::SceneTorus makeTorus(const TorusInstance& torus, std::size_t index) {
             pack(rotation[2], torus.translation.z),
             {torus.scale * torus.majorRadius, torus.scale * torus.minorRadius, 0.0, 0.0},
             {static_cast<int>(index), static_cast<int>(torus.materialIndex), 0, 0}};
+}
+
+scene_io::SceneMaterial makeMaterial(const Material& material) {
+    scene_io::SceneMaterial packed{pack(material.diffuse, material.roughness), pack(material.specular),
+                                   scene_io::vec4(0.0F), scene_io::vec4(0.0F)};
+    if (material.checker) {
+        packed.checkerDiffuse = pack(material.checker->diffuse);
+        packed.checkerCounts = {material.checker->countU, material.checker->countV, 0.0F, 0.0F};
+    }
+    return packed;
 }
 
 SceneStorage storageFor(const Scene& scene) {
@@ -119,7 +119,7 @@ SceneBuffers::SceneBuffers(const gpu::Context& context, const Scene& scene, int 
     std::vector<scene_io::SceneMaterial> packed;
     packed.reserve(scene.materials.size());
     for (const Material& material : scene.materials) {
-        packed.push_back(pack(material));
+        packed.push_back(makeMaterial(material));
     }
     materials = upload(context, std::move(packed), storage, SCENE_SMALL_MATERIALS);
 }

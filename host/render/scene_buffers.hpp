@@ -49,4 +49,7 @@ scene_io::SceneFrame makeFrame(const Scene& scene, int width, int height);
 /// One torus as the shaders read it. `index` is its place in the scene.
 scene_io::SceneTorus makeTorus(const TorusInstance& torus, std::size_t index);
 
+/// One material as the shaders read it.
+scene_io::SceneMaterial makeMaterial(const Material& material);
+
 }  // namespace raytorus::render
