@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#include "truth/ray_bounds.hpp"
+
+#include <algorithm>
+
+namespace raytorus::truth {
+
+double libraryEnd(const scene_io::SceneTorus& torus) {
+    return std::max(2e-5 * static_cast<double>(torus.radii.y), 2e-7 * outerRadius(torus));
+}
+
+CameraBounds cameraBounds(const scene_io::SceneFrame& frame, const PicturePoint<Rounded>& point) {
+    const Vec3<Rounded> direction = lookAt(frame, point);
+    const double exactLength = length(toDoubles(direction));
+    // The length belongs to the components as they are, so that their own errors are no error of it.
+    const Vec3<Rounded> asItIs = fromDoubles<Rounded>(toDoubles(direction));
+    const Rounded rounded = squareRoot(dot(asItIs, asItIs));
+    return {errorLength(direction) / exactLength + floatRounding,
+            rounded.error / exactLength + floatRounding};
+}
+
+Displacement displacementAt(const scene_io::SceneTorus& torus, const Ray<Rounded>& ray) {
+    const Ray<Rounded> local = toTorus(torus, ray);
+    return {errorLength(local.origin), errorLength(local.direction)};
+}
+
+}  // namespace raytorus::truth
