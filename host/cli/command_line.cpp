@@ -14,6 +14,7 @@ constexpr const char* footer = R"(Examples:
   raytorus render scenes/chain.json -o chain.png
   raytorus trace rays.csv -o hits.csv --torus 1,0.25
   raytorus compare golden.exr new.exr --tolerance 1e-5
+  raytorus golden check
   raytorus doctor
 
 Exit codes:
@@ -46,7 +47,7 @@ std::string usageProblem(const CLI::App& app, const CLI::ParseError& error) {
         return hasCommand ? fmt::format("\"{}\" is one argument too many", first)
                           : fmt::format("there is no command \"{}\"", first);
     }
-    return incomplete && !hasCommand ? "a command is missing: render, trace, compare or doctor"
+    return incomplete && !hasCommand ? "a command is missing: render, trace, compare, golden or doctor"
                                      : error.what();
 }
 
@@ -65,6 +66,7 @@ ExitCode parseAndRun(std::vector<std::string> arguments) {
     addRenderCommand(app, action);
     addTraceCommand(app, action);
     addCompareCommand(app, action);
+    addGoldenCommand(app, action);
     addDoctorCommand(app, action);
     std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
     try {

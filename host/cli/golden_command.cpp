@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+// raytorus golden: the golden pictures of a folder listed, checked and renewed.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <memory>
+
+#include "bench/methods/methods.hpp"
+#include "cli/command.hpp"
+#include "cli/device_options.hpp"
+#include "cli/progress.hpp"
+#include "golden/golden_check.hpp"
+#include "golden/golden_folder.hpp"
+#include "golden/golden_renew.hpp"
+#include "image/comparison_text.hpp"
+
+namespace raytorus::cli {
+namespace {
+
+constexpr const char* footer =
+    R"(A golden is the truth: a picture of the scene by the 113-bit reference, which knows for each pixel how far a correct
+shader may be off, and where rounding may change what is hit (docs/golden.md).
+
+Examples:
+  raytorus golden list
+  raytorus golden check
+  raytorus golden check ring_half horn --report out/report
+  raytorus golden renew ring_half --reason "the camera stands closer")";
+
+struct GoldenCommand {
+    std::string folder = "golden";
+    std::vector<std::string> names;
+    std::string report;
+    std::string reason;
+    bool all = false;
+    DeviceOptions device;
+};
+
+std::vector<golden::Case> chosenCases(const golden::Set& set, const std::vector<std::string>& names) {
+    if (names.empty()) {
+        return set.cases();
+    }
+    std::vector<golden::Case> chosen;
+    for (const std::string& name : names) {
+        chosen.push_back(set.find(name));
+    }
+    return chosen;
+}
+
+ExitCode runList(const GoldenCommand& command) {
+    const golden::Set set(command.folder);
+    for (const golden::Case& row : set.cases()) {
+        fmt::print("{:<24}{}\n", row.name, row.catches);
+    }
+    return ExitCode::Ok;
+}
+
+// One picture of a case: by the library, or by another method.
+struct Drawing {
+    golden::Case row;
+    std::string label;
+    render::Route route = render::Route::Fragment;
+    const Method* method = nullptr;  // null: the library
+    int allowedPixels = 0;
+};
+
+std::vector<Drawing> drawingsOf(const std::vector<golden::Case>& rows) {
+    std::vector<Drawing> drawings;
+    for (const golden::Case& row : rows) {
+        drawings.push_back({row, row.name + "_fragment", render::Route::Fragment, nullptr, 0});
+        drawings.push_back({row, row.name + "_compute", render::Route::Compute, nullptr, 0});
+        for (const auto& [name, allowed] : row.methods) {
+            drawings.push_back(
+                {row, row.name + "_" + name, render::Route::Fragment, findMethod(name), allowed});
+        }
+    }
+    return drawings;
+}
+
+class Checking {
+public:
+    Checking(const golden::Set& goldens, const DeviceOptions& deviceOptions)
+        : set(&goldens), shaders(deviceOptions.shaders()) {}
+
+    void add(gpu::Context& context, const Drawing& drawing) {
+        const auto start = std::chrono::steady_clock::now();
+        const image::Image actual =
+            golden::draw(context, *set, drawing.row, drawing.route,
+                         drawing.method != nullptr ? drawing.method->shaders : shaders);
+        golden::Checked checked =
+            golden::check(*set, drawing.row, drawing.label, actual, drawing.allowedPixels);
+        const bool bitsPromised = context.info().type == "CPU" && drawing.method == nullptr;
+        if (checked.report.passed && bitsPromised) {
+            if (const std::string fault = golden::bitsFault(*set, drawing.row, actual); !fault.empty()) {
+                checked.report.passed = false;
+                checked.report.sentence = fault;
+                checked.exitCode = ExitCode::ComparisonFailed;
+            }
+        }
+        image::ReportCase& report = checked.report;
+        report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        report.catches = drawing.row.catches;
+        report.rerunCommand = fmt::format("raytorus golden check {}", drawing.row.name);
+        report.renewCommand = fmt::format("raytorus golden renew {} --reason \"...\"", drawing.row.name);
+        count(checked);
+        cases.push_back(std::move(checked.report));
+    }
+
+    // The code that says most: what kept a comparison from being made, before what came out of one.
+    void fail(ExitCode code) {
+        for (const ExitCode first :
+             {ExitCode::File, ExitCode::SizeDiffers, ExitCode::NonFinite, ExitCode::ComparisonFailed}) {
+            if (code == first || exitCode == first) {
+                exitCode = first;
+                return;
+            }
+        }
+        exitCode = code;
+    }
+
+    ExitCode exitCode = ExitCode::Ok;
+    std::vector<image::ReportCase> cases;
+    std::int64_t marginal = 0, flips = 0, failures = 0;
+
+private:
+    void count(const golden::Checked& checked) {
+        if (!checked.report.passed) {
+            ++failures;
+            fail(checked.exitCode);
+            fmt::print("{}: {}\n", checked.report.name, checked.report.sentence);
+        }
+        if (checked.report.comparison) {
+            for (const image::MarginalPixels& margin : checked.report.comparison->margins) {
+                marginal += margin.count;
+                flips += margin.flips;
+            }
+        }
+    }
+
+    const golden::Set* set;
+    render::ShaderSource shaders;
+};
+
+ExitCode runCheck(const GoldenCommand& command) {
+    const auto start = std::chrono::steady_clock::now();
+    const golden::Set set(command.folder);
+    const std::vector<golden::Case> rows = chosenCases(set, command.names);
+    Checking checking(set, command.device);
+    if (command.names.empty()) {
+        for (const std::string& fault : golden::folderFaults(set)) {
+            fmt::print("{}\n", fault);
+            checking.fail(ExitCode::File);
+        }
+    }
+    image::ReportHeading heading{"Golden pictures", {{"raytorus", std::string(version())}}};
+    withDevice(command.device, [&](gpu::Context& context) {
+        heading.facts.emplace_back("device", context.info().name);
+        heading.facts.emplace_back("driver", context.info().driverInfo);
+        Progress progress("checking");
+        const std::vector<Drawing> drawings = drawingsOf(rows);
+        for (const Drawing& drawing : drawings) {
+            checking.add(context, drawing);
+            progress.show(static_cast<double>(checking.cases.size()) / static_cast<double>(drawings.size()));
+        }
+    });
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (!command.report.empty()) {
+        heading.facts.emplace_back("seconds", fmt::format("{:.1f}", seconds));
+        image::writeReportFolder(command.report, checking.cases, heading);
+    }
+    fmt::print("{} of {} pictures of {} cases are right; {} of {} marginal pixels flip; {:.1f} s\n",
+               static_cast<std::int64_t>(checking.cases.size()) - checking.failures, checking.cases.size(),
+               rows.size(), checking.flips, checking.marginal, seconds);
+    return checking.exitCode;
+}
+
+ExitCode runRenew(const GoldenCommand& command) {
+    golden::requireRenewal(command.reason);
+    const golden::Set set(command.folder);
+    if (command.names.empty() != command.all) {
+        throw Error(ExitCode::Usage, "name the cases to renew, or all of them by --all");
+    }
+    for (const golden::Case& row : chosenCases(set, command.names)) {
+        Progress progress(row.name);
+        const golden::Renewal renewal =
+            golden::renew(set, row, command.reason, [&](double done) { progress.show(done); });
+        fmt::print("renewed {}: {} of {} pixels are marginal\n", set.truth(row).string(), renewal.marginal,
+                   renewal.pixels);
+    }
+    return ExitCode::Ok;
+}
+
+ExitCode runBits(const GoldenCommand& command) {
+    golden::requireRenewal(command.reason);
+    const golden::Set set(command.folder);
+    std::map<std::string, std::string> bits;
+    withDevice(command.device, [&](gpu::Context& context) {
+        if (context.info().type != "CPU") {
+            throw Error(ExitCode::NoDevice,
+                        fmt::format("{} promises no bits; a CPU does (--device)", context.info().name));
+        }
+        Progress progress("drawing");
+        for (const golden::Case& row : set.cases()) {
+            const image::Image picture = golden::draw(context, set, row, render::Route::Fragment);
+            const golden::Checked checked = golden::check(set, row, row.name, picture);
+            if (!checked.report.passed) {
+                throw Error(checked.exitCode, fmt::format("{}: {}", row.name, checked.report.sentence));
+            }
+            const image::Image again = golden::draw(context, set, row, render::Route::Compute);
+            bits[row.name] = golden::pictureHash(picture);
+            if (golden::pictureHash(again) != bits[row.name]) {
+                throw Error(ExitCode::ComparisonFailed, fmt::format("{}: the two routes disagree", row.name));
+            }
+            progress.show(static_cast<double>(bits.size()) / static_cast<double>(set.cases().size()));
+        }
+    });
+    golden::writeBits(set, bits, command.reason);
+    fmt::print("wrote {}\n", set.bits().string());
+    return ExitCode::Ok;
+}
+
+using Run = ExitCode (*)(const GoldenCommand&);
+
+CLI::App& addSubcommand(CLI::App& golden, Action& action, const std::shared_ptr<GoldenCommand>& command,
+                        const char* name, const char* description, Run run) {
+    CLI::App& sub = *golden.add_subcommand(name, description);
+    sub.add_option("--folder", command->folder, "The goldens")->option_text("DIR [golden]");
+    sub.callback([command, &action, run] { action = [command, run] { return run(*command); }; });
+    return sub;
+}
+
+}  // namespace
+
+void addGoldenCommand(CLI::App& app, Action& action) {
+    const auto command = std::make_shared<GoldenCommand>();
+    CLI::App* golden = app.add_subcommand("golden", "Check pictures against their truths, or renew those");
+    golden->require_subcommand(1);
+    golden->footer(footer);
+    addSubcommand(*golden, action, command, "list", "The cases, and what each is there to catch", runList);
+    CLI::App& check = addSubcommand(*golden, action, command, "check",
+                                    "Draw the cases by both routes and hold them to their truths", runCheck);
+    check.add_option("cases", command->names, "Cases instead of all")->option_text("CASE...");
+    check.add_option("--report", command->report, "Write a page with the pictures here")->option_text("DIR");
+    addDeviceOptions(check, command->device);
+    CLI::App& renew = addSubcommand(*golden, action, command, "renew",
+                                    "Make the truths of the named cases anew, by the reference", runRenew);
+    renew.add_option("cases", command->names, "The cases")->option_text("CASE...");
+    renew.add_flag("--all", command->all, "All of them");
+    renew.add_option("--reason", command->reason, "Why; kept beside the truth")
+        ->required()
+        ->option_text("TEXT REQUIRED");
+    CLI::App& bits = addSubcommand(
+        *golden, action, command, "bits",
+        "Record the bits that CPU drivers draw, after the shaders were to change them", runBits);
+    bits.add_option("--reason", command->reason, "Why; kept beside them")
+        ->required()
+        ->option_text("TEXT REQUIRED");
+    addDeviceOptions(bits, command->device);
+}
+
+}  // namespace raytorus::cli

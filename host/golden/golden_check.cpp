@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "golden/golden_check.hpp"
+
+#include <fmt/format.h>
+
+#include "golden/golden_folder.hpp"
+#include "image/difference.hpp"
+#include "image/image_io.hpp"
+#include "render/scene_json.hpp"
+
+namespace raytorus::golden {
+
+image::Image draw(gpu::Context& context, const Set& set, const Case& row, render::Route route,
+                  const render::ShaderSource& shaders) {
+    render::RenderOptions options;
+    options.route = route;
+    options.samplesPerSide = row.samplesPerSide;
+    options.shaders = shaders;
+    return render::render(context, render::readScene(set.scene(row)), options).picture;
+}
+
+Checked check(const Set& set, const Case& row, const std::string& label, const image::Image& actual,
+              int allowedPixels) {
+    Checked result;
+    try {
+        if (const std::string fault = truthFault(set, row); !fault.empty()) {
+            throw Error(ExitCode::File, fault);
+        }
+        image::Image expected = image::readImage(set.truth(row));
+        image::CompareRules rules;
+        rules.allowedPixels = allowedPixels;
+        image::Comparison comparison = image::compare(expected, actual, rules);
+        result.exitCode = comparison.exitCode();
+        result.report = image::reportCase(label, std::move(expected), actual, std::move(comparison));
+    } catch (const Error& error) {
+        result.exitCode = error.exitCode;
+        result.report.name = label;
+        result.report.sentence = error.what();
+        result.report.actual = actual;
+    }
+    return result;
+}
+
+std::string bitsFault(const Set& set, const Case& row, const image::Image& actual) {
+    const std::map<std::string, std::string> bits = readBits(set);
+    const auto recorded = bits.find(row.name);
+    if (recorded == bits.end()) {
+        return fmt::format("{}: nothing about {}", set.bits().string(), row.name);
+    }
+    if (recorded->second != pictureHash(actual)) {
+        return fmt::format(
+            "{}: other bits than those recorded, though the device is a CPU; if the shaders were to change "
+            "them: "
+            "raytorus golden bits --reason \"...\"",
+            row.name);
+    }
+    return "";
+}
+
+void leaveEvidence(const std::filesystem::path& folder, const image::ReportCase& result) {
+    std::filesystem::create_directories(folder);
+    if (result.actual) {
+        image::writeImage(folder / "actual.exr", *result.actual);
+    }
+    if (result.expected) {
+        image::writeImage(folder / "expected.exr", *result.expected);
+    }
+    if (result.comparison && result.comparison->verdict == image::Verdict::Differ) {
+        image::writeImage(folder / "difference.png",
+                          image::differenceImage(*result.expected, *result.actual, result.comparison->rules));
+    }
+}
+
+}  // namespace raytorus::golden

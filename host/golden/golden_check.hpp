@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// A golden case, drawn and checked: every way in which it can fail is a sentence of the result, and none is
+// passed over.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/error.hpp"
+#include "golden/golden_set.hpp"
+#include "gpu/context.hpp"
+#include "image/report.hpp"
+#include "render/renderer.hpp"
+
+namespace raytorus::golden {
+
+/// The picture of a case, all channels, as it is drawn now.
+image::Image draw(gpu::Context& context, const Set& set, const Case& row, render::Route route,
+                  const render::ShaderSource& shaders = {});
+
+struct Checked {
+    image::ReportCase report;
+    ExitCode exitCode = ExitCode::Ok;  ///< of the first gate that did not open
+};
+
+/// Holds a picture to the truth: manifest and sidecar first, then size and channels, non-finite values, what
+/// is exact, and every value within the tolerance of its pixel.
+/// label: of the picture, "ring_half_compute". allowedPixels: that may be off by more.
+Checked check(const Set& set, const Case& row, const std::string& label, const image::Image& actual,
+              int allowedPixels = 0);
+
+/// Why the bits are not those that are recorded; empty if they are.
+std::string bitsFault(const Set& set, const Case& row, const image::Image& actual);
+
+/// Leaves expected.exr, actual.exr and difference.png in `folder`, as far as they exist.
+void leaveEvidence(const std::filesystem::path& folder, const image::ReportCase& result);
+
+}  // namespace raytorus::golden
