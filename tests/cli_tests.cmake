@@ -16,6 +16,7 @@ raytorus_add_tests(cli_tests
         program_exit_code_test.cpp
         program_render_test.cpp
         program_stats_test.cpp
+        program_golden_test.cpp
         program_routes_test.cpp
         program_method_test.cpp
         program_trace_test.cpp

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-# Pictures against golden/, and the tool that renews those.
+# The goldens: every way to be unfit, and all pictures by both routes against their truths.
 raytorus_add_tests(golden_tests
-    SOURCES device_fixture.cpp golden_check.cpp golden_test.cpp
-    LIBRARIES raytorus::render raytorus::image)
+    SOURCES golden_test.cpp
+    LIBRARIES raytorus::golden raytorus::truth)
 
-add_executable(raytorus-golden golden_check.cpp golden_tool.cpp)
-target_compile_definitions(raytorus-golden PRIVATE RAYTORUS_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-target_link_libraries(raytorus-golden PRIVATE
-    raytorus_warnings raytorus::render raytorus::image CLI11::CLI11 nlohmann_json::nlohmann_json)
+# One process, because a process that starts Vulkan costs more than most pictures; the page names the failures.
+add_test(NAME golden.check COMMAND raytorus golden check --validate --folder "${PROJECT_SOURCE_DIR}/golden"
+    --report "${CMAKE_CURRENT_BINARY_DIR}/output/golden")
+set_tests_properties(golden.check PROPERTIES TIMEOUT 600)

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// raytorus golden: list, check, renew and bits, as people run them.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "program_test.hpp"
+
+namespace raytorus::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A folder with two goldens, one of them drawn by other methods as well.
+class ProgramGolden : public ProgramTest {
+protected:
+    ProgramGolden() {
+        fs::create_directories(folder / "golden" / "scenes");
+        write("golden/cases.json",
+              R"({"cases": [{"name": "dark", "catches": "no light", "methods": {"minima-first": 0}},
+                            {"name": "horn", "catches": "the point"}]})");
+        const fs::path source = fs::path(RAYTORUS_SOURCE_DIR) / "golden";
+        for (const char* name : {"dark", "horn"}) {
+            for (const char* file : {"scenes/{}.json", "{}.json", "{}.exr"}) {
+                const std::string path = fmt::format(fmt::runtime(file), name);
+                fs::copy_file(source / path, folder / "golden" / path);
+            }
+        }
+        for (const char* file : {"manifest.json", "bits.json"}) {
+            fs::copy_file(source / file, folder / "golden" / file);
+        }
+    }
+
+    // Checks both cases by name: the manifest knows of more than these.
+    [[nodiscard]] ProgramResult check(const Arguments& options = {}) const {
+        Arguments arguments = {"golden", "check", "dark", "horn"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        return run(arguments);
+    }
+
+    void expectCheck(int exitCode, const std::string& words) const {
+        const ProgramResult result = check();
+        EXPECT_EQ(result.exitCode, exitCode) << testing::PrintToString(result);
+        EXPECT_NE(result.out.find(words), std::string::npos) << result.out;
+    }
+
+    void renew(const Arguments& options) const {
+        Arguments arguments = {"golden", "renew", "--reason", "test"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        EXPECT_NE(expectOk(arguments, {{"CI", ""}}).find("renewed"), std::string::npos);
+    }
+};
+
+TEST_F(ProgramGolden, ListTellsWhatEachCatches) {
+    const std::string list = expectOk({"golden", "list"});
+    EXPECT_NE(list.find("dark                    no light\n"), std::string::npos) << list;
+    EXPECT_NE(list.find("horn                    the point\n"), std::string::npos) << list;
+}
+
+TEST_F(ProgramGolden, CheckDrawsByBothRoutesAndTheMethodsNamed) {
+    const ProgramResult result = check({"--validate"});
+    EXPECT_EQ(result.exitCode, 0) << testing::PrintToString(result);
+    EXPECT_NE(result.out.find("5 of 5 pictures of 2 cases are right"), std::string::npos) << result.out;
+}
+
+TEST_F(ProgramGolden, CheckOfTheFolderFindsWhatTheManifestMisses) {
+    const ProgramResult result = run({"golden", "check"});
+    EXPECT_EQ(result.exitCode, static_cast<int>(ExitCode::File)) << testing::PrintToString(result);
+    EXPECT_NE(result.out.find("ring_half.exr"), std::string::npos) << result.out;
+}
+
+TEST_F(ProgramGolden, CheckFailsByTheFirstGateThatDoesNotOpen) {
+    fs::copy_file(folder / "golden" / "horn.exr", folder / "golden" / "dark.exr",
+                  fs::copy_options::overwrite_existing);
+    expectCheck(static_cast<int>(ExitCode::File), "dark_compute: ");
+}
+
+TEST_F(ProgramGolden, CheckFindsAnotherPicture) {
+    // A scene that has changed is found by its hash; one that was renewed, by its picture.
+    write("golden/scenes/dark.json", R"({"image": {"width": 48, "height": 32}, "lights": [],
+        "tori": [{"majorRadius": 1, "minorRadius": 0.25}]})");
+    expectCheck(static_cast<int>(ExitCode::File), "the scene has changed");
+    renew({"dark"});
+    expectCheck(static_cast<int>(ExitCode::ComparisonFailed), "other bits");
+}
+
+TEST_F(ProgramGolden, RenewNeedsNamesAReasonAndAPerson) {
+    expectFailure({"golden", "renew", "dark"}, ExitCode::Usage, {"--reason"});
+    expectFailure({"golden", "renew", "dark", "--reason", " "}, ExitCode::Usage, {"--reason"}, {{"CI", ""}});
+    expectFailure({"golden", "renew", "--reason", "test"}, ExitCode::Usage, {"--all"}, {{"CI", ""}});
+    expectFailure({"golden", "renew", "dark", "--all", "--reason", "test"}, ExitCode::Usage, {"--all"},
+                  {{"CI", ""}});
+    expectFailure({"golden", "renew", "day", "--reason", "test"}, ExitCode::Usage, {"\"day\""}, {{"CI", ""}});
+    expectFailure({"golden", "renew", "dark", "--reason", "test"}, ExitCode::Usage, {"CI"}, {{"CI", "true"}});
+    expectFailure({"golden", "bits", "--reason", "test"}, ExitCode::Usage, {"CI"}, {{"CI", "true"}});
+    expectFailure({"golden", "check", "--folder", "none"}, ExitCode::File, {"none", "cases.json"});
+    expectFailure({"golden"}, ExitCode::Usage, {"raytorus golden --help"});
+}
+
+TEST_F(ProgramGolden, BitsAreThoseThatAreDrawn) {
+    write("golden/bits.json", R"({"sha256": {}})");
+    expectCheck(static_cast<int>(ExitCode::ComparisonFailed), "nothing about");
+    EXPECT_NE(expectOk({"golden", "bits", "--reason", "test"}, {{"CI", ""}}).find("bits.json"),
+              std::string::npos);
+    EXPECT_EQ(check().exitCode, 0);
+}
+
+}  // namespace
+}  // namespace raytorus::test
