@@ -2,6 +2,9 @@
 // --method: the pictures and hits of the methods that the library is compared with.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "bench/methods/methods.hpp"
 #include "program_test.hpp"
 
@@ -53,6 +56,42 @@ TEST_F(ProgramMethod, AnswersDifferWhereAMethodFails) {
                   "");
     }
     EXPECT_NE(picture("raytorus.exr").pixels, picture("closed-form-naive.exr").pixels);
+}
+
+TEST_F(ProgramMethod, TheReferenceNeedsNoDevice) {
+    write("scene.json", smallScene);
+    EXPECT_EQ(expectOk({"render", "scene.json", "-o", "exact.exr", "--method", "reference"}, noDriver()), "");
+    EXPECT_EQ(expectOk({"render", "scene.json", "-o", "drawn.exr"}), "");
+    // t is 3 to 6 here and rays are off by some 1e-6; normals and colours change twice to ten times as fast.
+    EXPECT_NE(expectOk({"compare", "exact.exr", "drawn.exr", "--tolerance", "3e-5"}).find("agree"),
+              std::string::npos);
+
+    // The hits of the ray as given: the library's are off by half an ulp and what it promises beyond that.
+    for (const Arguments& query : {Arguments{}, Arguments{"--all"}, Arguments{"--any"}}) {
+        const std::vector<float> drawn = numbersIn(trace(query));
+        Arguments arguments = {"trace",   "rays.csv", "-o",       "hits.csv",
+                               "--torus", "1,0.25",   "--method", "reference"};
+        arguments.insert(arguments.end(), query.begin(), query.end());
+        EXPECT_EQ(expectOk(arguments, noDriver()), "");
+        const std::vector<float> exact = numbersIn(fileText(folder / "hits.csv"));
+        ASSERT_EQ(exact.size(), drawn.size());
+        for (std::size_t i = 0; i < exact.size(); ++i) {
+            EXPECT_TRUE(exact[i] == drawn[i] ||
+                        std::abs(exact[i] - drawn[i]) <= 2e-7F * std::max(1.0F, exact[i]))
+                << i << ": " << exact[i] << ", " << drawn[i];
+        }
+    }
+}
+
+TEST_F(ProgramMethod, TheReferenceTakesNothingThatIsADevices) {
+    write("scene.json", smallScene);
+    for (const Arguments& options :
+         {Arguments{"--validate"}, Arguments{"--device", "0"}, Arguments{"--stats", "json"},
+          Arguments{"--shaders", RAYTORUS_SHADER_FOLDER}}) {
+        Arguments arguments = {"render", "scene.json", "-o", "out.exr", "--method", "reference"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        expectFailure(arguments, ExitCode::Usage, {"--method reference", options[0]});
+    }
 }
 
 TEST_F(ProgramMethod, UnknownOnesAreRefusedBeforeAnythingIsDone) {

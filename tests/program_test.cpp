@@ -2,6 +2,7 @@
 #include "program_test.hpp"
 
 #include <algorithm>
+#include <sstream>
 
 #include "image/image_io.hpp"
 
@@ -105,6 +106,18 @@ fs::path ProgramTest::shaderFolder() const {
         }
     }
     return copies;
+}
+
+std::vector<float> numbersIn(const std::string& csv) {
+    std::vector<float> numbers;
+    std::istringstream lines(csv.substr(csv.find('\n') + 1));
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream fields(line);
+        for (std::string field; std::getline(fields, field, ',');) {
+            numbers.push_back(std::strtof(field.c_str(), nullptr));
+        }
+    }
+    return numbers;
 }
 
 Environment noDriver() {

@@ -61,6 +61,9 @@ private:
 inline constexpr const char* smallScene =
     R"({"image": {"width": 24, "height": 16}, "tori": [{"majorRadius": 1, "minorRadius": 0.25}]})";
 
+/// The numbers of a CSV text with a header, row by row.
+std::vector<float> numbersIn(const std::string& csv);
+
 /// What makes the Vulkan loader find no driver.
 Environment noDriver();
 

@@ -15,19 +15,6 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-// The numbers of a CSV file with a header, row by row.
-std::vector<float> numbersIn(const std::string& csv) {
-    std::vector<float> numbers;
-    std::istringstream lines(csv.substr(csv.find('\n') + 1));
-    for (std::string line; std::getline(lines, line);) {
-        std::istringstream fields(line);
-        for (std::string field; std::getline(fields, field, ',');) {
-            numbers.push_back(std::strtof(field.c_str(), nullptr));
-        }
-    }
-    return numbers;
-}
-
 std::string headerOf(const std::string& csv) {
     return csv.substr(0, csv.find('\n'));
 }

@@ -35,8 +35,10 @@ Pair combined(Random& random, const Pair& a, const Pair& b) {
             return {a.asFloat * b.asFloat, a.exact * b.exact};
         case 3:
             return {a.asFloat / b.asFloat, a.exact / b.exact};
-        default:
-            return {std::sqrt(a.asFloat * a.asFloat), squareRoot(a.exact * a.exact)};
+        default: {
+            const float positive = std::abs(b.asFloat);
+            return {std::sqrt(positive), squareRoot(Rounded(static_cast<double>(positive)))};
+        }
     }
 }
 

@@ -10,9 +10,36 @@
 
 namespace raytorus::cli {
 
-void addMethodOption(CLI::App& command, std::string& name) {
-    command.add_option("--method", name, "Who intersects, to compare: " + methodNames())
+namespace {
+
+constexpr const char* reference = "reference";
+
+void addOption(CLI::App& command, std::string& name, const std::string& names) {
+    command.add_option("--method", name, "Who intersects, to compare: " + names)
         ->option_text(fmt::format("NAME [{}]", methods().front().name));
+}
+
+}  // namespace
+
+void addMethodOption(CLI::App& command, std::string& name) {
+    addOption(command, name, methodNames());
+}
+
+void addMethodOrReferenceOption(CLI::App& command, std::string& name) {
+    addOption(command, name, fmt::format("{}; {}: in 113 bits, on the CPU", methodNames(), reference));
+}
+
+bool isReference(const std::string& method, const DeviceOptions& device) {
+    if (method != reference) {
+        return false;
+    }
+    const bool asksForDevice =
+        !device.context.device.empty() || device.context.validate || !device.shaderFolder.empty();
+    if (asksForDevice) {
+        throw Error(ExitCode::Usage,
+                    "--method reference runs on no device: not with --device, --validate or --shaders");
+    }
+    return true;
 }
 
 render::ShaderSource shadersOf(const std::string& method, const DeviceOptions& device) {

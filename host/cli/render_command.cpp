@@ -16,6 +16,7 @@
 #include "image/image_io.hpp"
 #include "render/renderer.hpp"
 #include "render/scene_json.hpp"
+#include "truth/truth.hpp"
 
 namespace raytorus::cli {
 namespace {
@@ -43,6 +44,7 @@ struct RenderCommand {
     std::string stats;
     render::RenderOptions options;
     std::string method;
+    bool exact = false;  // by the reference
     DeviceOptions device;
 };
 
@@ -114,7 +116,24 @@ void readOptions(RenderCommand& command) {
                     fmt::format("--output must end in .exr or .png, not \"{}\"", command.output));
     }
     command.options.aovs = extension == ".exr";
-    command.options.shaders = shadersOf(command.method, command.device);
+    command.exact = isReference(command.method, command.device);
+    if (command.exact && !command.stats.empty()) {
+        throw Error(ExitCode::Usage, "--stats tells of a device, and --method reference has none");
+    }
+    if (!command.exact) {
+        command.options.shaders = shadersOf(command.method, command.device);
+    }
+}
+
+image::Image renderExactly(const render::Scene& scene, const render::RenderOptions& options) {
+    const int width = options.width > 0 ? options.width : scene.imageWidth;
+    const int height = options.height > 0 ? options.height : scene.imageHeight;
+    Progress progress("rendering");
+    truth::TruthOptions exact;
+    exact.samplesPerSide = options.samplesPerSide;
+    exact.aovs = options.aovs;
+    exact.progress = [&progress](double done) { progress.show(done); };
+    return truth::renderTruth(scene, width, height, exact);
 }
 
 ExitCode runRender(RenderCommand command) {
@@ -126,6 +145,12 @@ ExitCode runRender(RenderCommand command) {
     stats.read = watch.lap();
     // Throws if the file cannot be written, else leaves nothing: better now than after the work of minutes.
     OutputFile(command.output);
+    if (command.exact) {
+        const image::Image picture = renderExactly(scene, command.options);
+        requireFinite(picture);
+        image::writeImage(command.output, picture);
+        return ExitCode::Ok;
+    }
     render::RenderResult result;
     withDevice(command.device, [&](gpu::Context& context) {
         stats.instance = watch.lap();
@@ -172,7 +197,7 @@ void addRenderCommand(CLI::App& app, Action& action) {
                     "Render so many times and let --stats show the fastest, without what happens only once")
         ->check(CLI::Range(1, 1000000))
         ->option_text("N [1]");
-    addMethodOption(*sub, command->method);
+    addMethodOrReferenceOption(*sub, command->method);
     addDeviceOptions(*sub, command->device);
     sub->footer(footer);
     sub->callback([command, &action] { action = [command] { return runRender(*command); }; });

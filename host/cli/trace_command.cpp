@@ -14,6 +14,7 @@
 #include "cli/progress.hpp"
 #include "cli/ray_file.hpp"
 #include "render/tracer.hpp"
+#include "verify/reference_tracer.hpp"
 
 namespace raytorus::cli {
 namespace {
@@ -35,6 +36,8 @@ Examples:
 
 // Rays of one submission: large enough to keep a GPU busy, small enough that no watchdog minds.
 constexpr std::size_t chunkRays = std::size_t{1} << 20U;
+// Of the reference: so that progress is seen.
+constexpr std::size_t exactChunkRays = std::size_t{1} << 14U;
 
 struct TraceCommand {
     std::string rays;
@@ -70,19 +73,32 @@ ExitCode runTrace(const TraceCommand& command) {
     const render::Query query = command.all   ? render::Query::All
                                 : command.any ? render::Query::Any
                                               : render::Query::Nearest;
-    const render::ShaderSource shaders = shadersOf(command.method, command.device);
+    const bool exact = isReference(command.method, command.device);
+    const render::ShaderSource shaders =
+        exact ? render::ShaderSource() : shadersOf(command.method, command.device);
     refuseToOverwriteRays(command);
     RayReader reader(command.rays, formatOf(command.rays));
     HitWriter writer(command.hits, formatOf(command.hits), query);
-    withDevice(command.device, [&](gpu::Context& context) {
-        const std::size_t chunk = std::min(chunkRays, render::Tracer::maxCapacity(context, query));
-        render::Tracer tracer(context, query, chunk, shaders);
+    const auto traceAll = [&](std::size_t chunk, auto answer) {
         Progress progress("tracing");
         for (auto rays = reader.read(chunk); !rays.empty(); rays = reader.read(chunk)) {
-            writer.write(tracer.trace(majorRadius, minorRadius, rays));
+            writer.write(answer(rays));
             progress.show(reader.done());
         }
-    });
+    };
+    if (exact) {
+        traceAll(exactChunkRays, [&](const std::vector<render::TraceRay>& rays) {
+            return verify::traceByReference(query, majorRadius, minorRadius, rays);
+        });
+    } else {
+        withDevice(command.device, [&](gpu::Context& context) {
+            const std::size_t chunk = std::min(chunkRays, render::Tracer::maxCapacity(context, query));
+            render::Tracer tracer(context, query, chunk, shaders);
+            traceAll(chunk, [&](const std::vector<render::TraceRay>& rays) {
+                return tracer.trace(majorRadius, minorRadius, rays);
+            });
+        });
+    }
     writer.commit();
     return ExitCode::Ok;
 }
@@ -101,7 +117,7 @@ void addTraceCommand(CLI::App& app, Action& action) {
         ->option_text("R,r REQUIRED");
     CLI::Option* all = sub->add_flag("--all", command->all, "All hits of each ray, not only the nearest");
     sub->add_flag("--any", command->any, "Only whether there is a hit")->excludes(all);
-    addMethodOption(*sub, command->method);
+    addMethodOrReferenceOption(*sub, command->method);
     addDeviceOptions(*sub, command->device);
     sub->footer(footer);
     sub->callback([command, &action] { action = [command] { return runTrace(*command); }; });

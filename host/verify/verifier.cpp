@@ -6,19 +6,12 @@
 #include <thread>
 #include <vector>
 
+#include "verify/in_parallel.hpp"
+
 namespace raytorus::verify {
 namespace {
 
 constexpr std::size_t blockRays = std::size_t{1} << 16U;
-
-// work(from, to) for as many parts of 0 ... count - 1 as there are threads, at the same time.
-void inParallel(unsigned threads, std::size_t count,
-                const std::function<void(std::size_t, std::size_t)>& work) {
-    std::vector<std::jthread> running;
-    for (unsigned i = 0; i < threads; ++i) {
-        running.emplace_back(work, count * i / threads, count * (i + 1) / threads);
-    }
-}
 
 }  // namespace
 

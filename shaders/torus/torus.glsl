@@ -195,7 +195,7 @@ vec3 torusNormal(Torus torus, vec3 position) {
 // outer equator towards +z.
 //
 // position   on the surface or near it
-// returns    (u, v), each in [0, 1); right to 1e-7 of a turn of the position as given
+// returns    (u, v), each in [0, 1); right to 1e-7 of a turn, v in a thin tube to 1e-7 (R + r) / r
 vec2 torusUv(Torus torus, vec3 position) {
     TORUS_PRECISE float rho = sqrt(position.x * position.x + position.y * position.y);
     TORUS_PRECISE float q = rho - torus.majorRadius;
