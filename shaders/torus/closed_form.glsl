@@ -220,6 +220,31 @@ float torus_zetaCube(torus_Resolvent g) {
     return cube;
 }
 
+// Private: zeta where it is real, epsilon >= 0 (math.md, eq. 18, 19). The halving may be done under the cube root (part
+// = 1/2) or after it (part = 1).
+float torus_zeta(torus_Resolvent g, float part) {
+    TORUS_PRECISE float cube = part * torus_zetaCube(g);
+    return torus_cubeRoot(cube);
+}
+
+// Private: y = zeta / (3 k) + k delta / (3 zeta), k^3 = 2 part; for epsilon < 0 the same without zeta (math.md, eq. 18,
+// 19, 21).
+float torus_resolventRoot(torus_Resolvent g, float part, float k) {
+    if (g.epsilon < 0.0) {
+        return torus_complexCase(g);
+    }
+    float zeta = torus_zeta(g, part);
+    // zeta = 0 takes gamma = delta = 0: a triple root of the resolvent, y = 0.
+    TORUS_PRECISE float y = zeta != 0.0 ? zeta / (3.0 * k) + k * g.delta / (3.0 * zeta) : 0.0;
+    return y;
+}
+
+// Private: the square of the inner root S (math.md, eq. 20). Rounding can make it negative.
+float torus_innerSquare(TorusReducedQuartic f, float y) {
+    TORUS_PRECISE float inner = y - 4.0 * f.alpha / 3.0;
+    return inner;
+}
+
 // Private: adds the roots middle -+ sqrt(square), if they are real, in their places among the roots found.
 void torus_addPair(float middle, float square, inout float roots[4], inout int count) {
     if (!(square >= 0.0)) {
@@ -257,7 +282,7 @@ int torus_biquadraticRoots(TorusReducedQuartic f, inout float roots[4]) {
 
 // Private: the four solutions (math.md, eq. 20) from y.
 int torus_pairs(TorusReducedQuartic f, float y, inout float roots[4]) {
-    TORUS_PRECISE float inner = y - 4.0 * f.alpha / 3.0;
+    float inner = torus_innerSquare(f, y);
     // The inner root vanishes with c z; where rounding alone makes it negative, c z is as good as 0.
     if (f.cz == 0.0 || !(inner > 0.0)) {
         return torus_biquadraticRoots(f, roots);
@@ -288,8 +313,7 @@ bool torus_isTame(TorusReducedQuartic f) {
     return abs(f.alpha) <= 1.0e5 && abs(f.cz) <= 1.0e7 && abs(f.beta) <= 1.0e10;
 }
 
-// Private: the real roots by zeta = cbrt(part (gamma + sqrt(epsilon))) and y = zeta / (3 k) + k delta / (3 zeta). The
-// halving may be done under the cube root (part = 1/2, k = 1) or after it (part = 1, k = cbrt(2)): k^3 = 2 part.
+// Private: the real roots by torus_resolventRoot.
 int torus_rootsByParts(TorusReducedQuartic quartic, float part, float k, out float roots[4]) {
     for (int i = 0; i < 4; ++i) {
         roots[i] = 0.0;
@@ -297,16 +321,7 @@ int torus_rootsByParts(TorusReducedQuartic quartic, float part, float k, out flo
     if (!torus_isTame(quartic)) {
         return 0;
     }
-    torus_Resolvent g = torus_resolvent(quartic);
-    TORUS_PRECISE float y = 0.0;
-    if (g.epsilon < 0.0) {
-        y = torus_complexCase(g);
-    } else {
-        TORUS_PRECISE float zeta = torus_cubeRoot(part * torus_zetaCube(g));
-        // zeta = 0 takes gamma = delta = 0: a triple root of the resolvent, y = 0.
-        y = zeta != 0.0 ? zeta / (3.0 * k) + k * g.delta / (3.0 * zeta) : 0.0;
-    }
-    return torus_pairs(quartic, y, roots);
+    return torus_pairs(quartic, torus_resolventRoot(torus_resolvent(quartic), part, k), roots);
 }
 
 // The real roots of the reduced quartic, first version: zeta = cbrt((gamma + sqrt(epsilon)) / 2) (math.md, eq. 18).
