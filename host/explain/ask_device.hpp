@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// What the shaders make of a ray, by explain.comp.
+#pragma once
+
+#include "explain/explanation.hpp"
+#include "gpu/context.hpp"
+#include "render/shader_source.hpp"
+
+namespace raytorus::explain {
+
+/// Fills in `shader`, `nearest`, `occluded`, `hits` and `closedForm` for the torus and ray of the
+/// explanation.
+void askDevice(gpu::Context& context, const render::ShaderSource& shaders, Explanation& explanation);
+
+}  // namespace raytorus::explain

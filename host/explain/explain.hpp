@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// One ray asked of the shaders and of the reference.
+#pragma once
+
+#include "explain/explanation.hpp"
+#include "gpu/context.hpp"
+#include "render/shader_source.hpp"
+
+namespace raytorus::explain {
+
+/// Any ten numbers are explained: bad input, NaN among it, by what the library answers to it.
+Explanation explain(gpu::Context& context, const reference::Torus& torus, const reference::Ray& ray,
+                    const render::ShaderSource& shaders = {});
+
+}  // namespace raytorus::explain
