@@ -23,6 +23,7 @@ raytorus_add_tests(cli_tests
         program_bulk_test.cpp
         program_compare_test.cpp
         program_doctor_test.cpp
+        program_explain_test.cpp
         program_documentation_test.cpp
     LIBRARIES raytorus::cli raytorus::methods nlohmann_json::nlohmann_json)
 add_dependencies(cli_tests raytorus raytorus_cli_test_shaders)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What --help and --version print, and that the examples in the help are made of options that exist.
+#include <cctype>
 #include <set>
 #include <sstream>
 
@@ -60,7 +61,9 @@ protected:
             const std::set<std::string> options = optionsIn(expectOk({words[1], "--help"}));
             EXPECT_TRUE(options.contains("--help")) << example;
             for (const std::string& word : words) {
-                EXPECT_TRUE(!word.starts_with('-') || options.contains(word)) << word << " in: " << example;
+                // A negative number is no option.
+                const bool option = word.starts_with('-') && std::isdigit(word[1]) == 0;
+                EXPECT_TRUE(!option || options.contains(word)) << word << " in: " << example;
             }
         }
     }
@@ -68,7 +71,7 @@ protected:
 
 TEST_F(ProgramHelp, NamesEveryCommand) {
     const std::string help = expectOk({"--help"});
-    for (const char* command : {"render", "trace", "compare", "doctor"}) {
+    for (const char* command : {"render", "trace", "compare", "explain", "doctor"}) {
         EXPECT_NE(help.find(std::string("\n  ") + command + " "), std::string::npos) << command;
     }
     expectGoodExamples(help);
@@ -103,6 +106,15 @@ TEST_F(ProgramHelp, OfCompare) {
         "-h",       "--help",        "--tolerance", "--relative",     "--ulp",
         "--allow",  "--allow-flips", "--channel",   "--window-limit", "--manifest",
         "--report", "--difference",  "--json"};
+    EXPECT_EQ(optionsIn(help), expected);
+    expectGoodExamples(help);
+}
+
+TEST_F(ProgramHelp, OfExplain) {
+    const std::string help = expectOk({"explain", "--help"});
+    const std::set<std::string> expected = {"-h",       "--help",     "--torus",   "--origin", "--direction",
+                                            "--t-min",  "--t-max",    "--replay",  "--json",   "--svg",
+                                            "--device", "--validate", "--timeout", "--shaders"};
     EXPECT_EQ(optionsIn(help), expected);
     expectGoodExamples(help);
 }

@@ -14,6 +14,7 @@ constexpr const char* footer = R"(Examples:
   raytorus render scenes/chain.json -o chain.png
   raytorus trace rays.csv -o hits.csv --torus 1,0.25
   raytorus compare golden.exr new.exr --tolerance 1e-5
+  raytorus explain --torus 1,0.25 --origin 3,0,0 --direction -1,0,0.05
   raytorus golden check
   raytorus doctor
 
@@ -47,7 +48,7 @@ std::string usageProblem(const CLI::App& app, const CLI::ParseError& error) {
         return hasCommand ? fmt::format("\"{}\" is one argument too many", first)
                           : fmt::format("there is no command \"{}\"", first);
     }
-    return incomplete && !hasCommand ? "a command is missing: render, trace, compare, golden or doctor"
+    return incomplete && !hasCommand ? "a command is missing: render, trace, compare, explain, golden or doctor"
                                      : error.what();
 }
 
@@ -58,7 +59,8 @@ std::string helpOf(const CLI::App& app) {
 }
 
 ExitCode parseAndRun(std::vector<std::string> arguments) {
-    CLI::App app("Exact ray-torus intersection: render scenes, trace rays, compare pictures.", "raytorus");
+    CLI::App app("Exact ray-torus intersection: render scenes, trace rays, compare pictures, explain a ray.",
+                 "raytorus");
     app.set_version_flag("--version", fmt::format("raytorus {}", version()));
     app.require_subcommand(1);
     app.footer(footer);
@@ -66,6 +68,7 @@ ExitCode parseAndRun(std::vector<std::string> arguments) {
     addRenderCommand(app, action);
     addTraceCommand(app, action);
     addCompareCommand(app, action);
+    addExplainCommand(app, action);
     addGoldenCommand(app, action);
     addDoctorCommand(app, action);
     std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back

@@ -62,17 +62,31 @@ std::optional<int> parseSquare(std::string_view text) {
     return std::nullopt;
 }
 
+template <std::size_t Count>
+std::optional<std::array<float, Count>> parseFloats(std::string_view text) {
+    std::array<float, Count> numbers{};
+    for (std::size_t i = 0; i < Count; ++i) {
+        const bool last = i + 1 == Count;
+        const std::size_t comma = text.find(',');
+        const std::optional<float> number = parseFloat(last ? text : text.substr(0, comma));
+        if (!number || (!last && comma == std::string_view::npos)) {
+            return std::nullopt;
+        }
+        numbers[i] = *number;
+        text.remove_prefix(last ? 0 : comma + 1);
+    }
+    return numbers;
+}
+template std::optional<std::array<float, 1>> parseFloats(std::string_view);
+template std::optional<std::array<float, 2>> parseFloats(std::string_view);
+template std::optional<std::array<float, 3>> parseFloats(std::string_view);
+
 std::optional<std::pair<float, float>> parsePair(std::string_view text) {
-    const std::size_t comma = text.find(',');
-    if (comma == std::string_view::npos) {
+    const auto numbers = parseFloats<2>(text);
+    if (!numbers || !std::isfinite(numbers->front()) || !std::isfinite(numbers->back())) {
         return std::nullopt;
     }
-    const auto first = parseFloat(text.substr(0, comma));
-    const auto second = parseFloat(text.substr(comma + 1));
-    if (!first || !second || !std::isfinite(*first) || !std::isfinite(*second)) {
-        return std::nullopt;
-    }
-    return std::pair(*first, *second);
+    return std::pair(numbers->front(), numbers->back());
 }
 
 }  // namespace raytorus::cli
