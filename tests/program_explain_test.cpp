@@ -36,6 +36,55 @@ TEST_F(ProgramExplain, JsonSaysTheSame) {
     EXPECT_EQ(expectOk({"explain", "--replay", parsed["replay"]}), expectOk(explain()));
 }
 
+// What is explained is what was drawn, to the bit.
+TEST_F(ProgramExplain, APixelIsTheRayThatWasDrawn) {
+    const std::string links = RAYTORUS_SOURCE_DIR "/golden/scenes/links.json";
+    expectOk({"render", links, "-o", "links.exr", "--size", "60x40"});
+    const image::Image drawn = picture("links.exr");
+    int hits = 0;
+    for (const auto& [x, y] : {std::pair(26, 19), std::pair(18, 21), std::pair(40, 25), std::pair(0, 39)}) {
+        const Arguments pixel = {"explain",
+                                 "--scene",
+                                 links,
+                                 "--size",
+                                 "60x40",
+                                 "--pixel",
+                                 std::to_string(x) + "," + std::to_string(y)};
+        const std::string text = expectOk(pixel);
+        const auto value = [&drawn, x = x, y = y](const char* channel) {
+            return drawn.pixel(x, y)[static_cast<std::size_t>(drawn.channelIndex(channel))];
+        };
+        const bool hit = value("id") >= 0.0F;
+        hits += hit ? 1 : 0;
+        EXPECT_EQ(text.find("which the ray hits first") != std::string::npos, hit) << text;
+        Arguments asJson = pixel;
+        asJson.emplace_back("--json");
+        const json parsed = json::parse(expectOk(asJson));
+        EXPECT_EQ(parsed["right"], true);
+        if (hit) {
+            EXPECT_NE(text.find("torus " + std::to_string(static_cast<int>(value("id"))) + ","),
+                      std::string::npos);
+            EXPECT_EQ(parsed["torusIntersect"]["t"]["float32"].get<float>(), value("t"));
+        }
+    }
+    EXPECT_EQ(hits, 2) << "the pixels show too little";
+}
+
+TEST_F(ProgramExplain, APixelLiesInThePicture) {
+    const std::string scenePath = write("scene.json", smallScene);
+    for (const char* pixel : {"24,0", "0,16", "-1,0", "1.5,2", "1", "x,y"}) {
+        expectFailure({"explain", "--scene", "scene.json", "--pixel", pixel}, ExitCode::Usage,
+                      {"--pixel", "23,15", std::string("\"") + pixel + "\""});
+    }
+    expectFailure({"explain", "--scene", "scene.json"}, ExitCode::Usage, {"--pixel"});
+    expectFailure({"explain", "--pixel", "1,1"}, ExitCode::Usage, {"--scene"});
+    expectFailure({"explain", "--scene", "none.json", "--pixel", "1,1"}, ExitCode::File, {"none.json"});
+    expectFailure({"explain", "--scene", "scene.json", "--pixel", "1,1", "--torus", "1,0.5"}, ExitCode::Usage,
+                  {"--torus"});
+    expectFailure({"explain", "--scene", "scene.json", "--pixel", "1,1", "--size", "0x1"}, ExitCode::Usage,
+                  {"--size", "\"0x1\""});
+}
+
 TEST_F(ProgramExplain, TheEndsOfTheRayCount) {
     const json parsed = json::parse(expectOk(explain({"--t-min", "2", "--t-max", "3", "--json"})));
     EXPECT_EQ(parsed["torusIntersectAll"]["found"], 1);

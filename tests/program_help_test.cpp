@@ -112,9 +112,10 @@ TEST_F(ProgramHelp, OfCompare) {
 
 TEST_F(ProgramHelp, OfExplain) {
     const std::string help = expectOk({"explain", "--help"});
-    const std::set<std::string> expected = {"-h",       "--help",     "--torus",   "--origin", "--direction",
-                                            "--t-min",  "--t-max",    "--replay",  "--json",   "--svg",
-                                            "--device", "--validate", "--timeout", "--shaders"};
+    const std::set<std::string> expected = {"-h",        "--help",   "--torus", "--origin", "--direction",
+                                            "--t-min",   "--t-max",  "--scene", "--pixel",  "--size",
+                                            "--replay",  "--json",   "--svg",   "--device", "--validate",
+                                            "--timeout", "--shaders"};
     EXPECT_EQ(optionsIn(help), expected);
     expectGoodExamples(help);
 }

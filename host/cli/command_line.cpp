@@ -48,8 +48,9 @@ std::string usageProblem(const CLI::App& app, const CLI::ParseError& error) {
         return hasCommand ? fmt::format("\"{}\" is one argument too many", first)
                           : fmt::format("there is no command \"{}\"", first);
     }
-    return incomplete && !hasCommand ? "a command is missing: render, trace, compare, explain, golden or doctor"
-                                     : error.what();
+    return incomplete && !hasCommand
+               ? "a command is missing: render, trace, compare, explain, golden or doctor"
+               : error.what();
 }
 
 // The command whose --help tells more.

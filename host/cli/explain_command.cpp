@@ -10,6 +10,7 @@
 #include "cli/command.hpp"
 #include "cli/device_options.hpp"
 #include "cli/number_text.hpp"
+#include "cli/pixel_option.hpp"
 #include "core/file.hpp"
 #include "explain/explain.hpp"
 #include "explain/json.hpp"
@@ -28,6 +29,7 @@ Examples:
   raytorus explain --torus 1,0.25 --origin -3,0.5,0.1 --direction 1,0,0
   raytorus explain --torus 1,0.25 --origin 3,0,0 --direction -1,0,0.05 --t-max 3 --json
   raytorus explain --torus 1,0.35 --origin -2,0.4,0.25 --direction 1,0,-0.1 --svg ray.svg
+  raytorus explain --scene scenes/ring.json --pixel 480,300
   raytorus explain --replay "0x1p+0 0x1p-2  -0x1p+1 0x0p+0 0x0p+0 0x0p+0  0x1p+0 0x0p+0 0x0p+0 inf"
 
 Ends with 0 whether the library is right or not: the last line says which.)";
@@ -39,6 +41,9 @@ struct ExplainCommand {
     std::string tMin = "0";
     std::string tMax = "inf";
     std::string replay;
+    std::string scene;
+    std::string pixel;
+    std::string size;
     bool json = false;
     std::string svg;
     DeviceOptions device;
@@ -64,15 +69,22 @@ reference::TorusAndRay replayed(const std::string& text) {
     return *parsed;
 }
 
-reference::TorusAndRay torusAndRay(const ExplainCommand& command) {
+// sentence: what is to be said first, if anything.
+reference::TorusAndRay torusAndRay(const ExplainCommand& command, std::string& sentence) {
     if (!command.replay.empty()) {
         return replayed(command.replay);
+    }
+    if (!command.scene.empty()) {
+        const PixelRay found = pixelRay(command.scene, command.pixel, command.size);
+        sentence = found.sentence;
+        return {found.torus, found.ray};
     }
     for (const auto& [option, value] :
          {std::pair("--torus", &command.torus), std::pair("--origin", &command.origin),
           std::pair("--direction", &command.direction)}) {
         if (value->empty()) {
-            throw Error(ExitCode::Usage, fmt::format("{} is required, or --replay", option));
+            throw Error(ExitCode::Usage,
+                        fmt::format("{} is required, or --replay, or --scene and --pixel", option));
         }
     }
     const auto [R, r] = numbersOf<2>("--torus", "the major and the minor radius as R,r", command.torus);
@@ -87,7 +99,8 @@ reference::TorusAndRay torusAndRay(const ExplainCommand& command) {
 }
 
 ExitCode runExplain(const ExplainCommand& command) {
-    const auto [torus, ray] = torusAndRay(command);
+    std::string sentence;
+    const auto [torus, ray] = torusAndRay(command, sentence);
     std::optional<OutputFile> picture;
     if (!command.svg.empty()) {
         picture.emplace(command.svg);
@@ -103,7 +116,7 @@ ExitCode runExplain(const ExplainCommand& command) {
     if (command.json) {
         fmt::print("{}\n", explain::jsonOf(explanation));
     } else {
-        fmt::print("{}", explain::textOf(explanation));
+        fmt::print("{}{}", sentence.empty() ? "" : sentence + "\n\n", explain::textOf(explanation));
     }
     return ExitCode::Ok;
 }
@@ -123,8 +136,19 @@ void addExplainCommand(CLI::App& app, Action& action) {
                         "Instead of these a ray as raytorus-verify prints it: R r, origin, tMin, "
                         "direction, tMax")
             ->option_text("\"10 NUMBERS\"");
+    CLI::Option* scene =
+        sub->add_option("--scene", command->scene, "Instead of these the ray through a pixel of a scene")
+            ->option_text("SCENE.json");
+    CLI::Option* pixel = sub->add_option("--pixel", command->pixel, "Which one, from the upper left corner")
+                             ->option_text("X,Y")
+                             ->needs(scene);
+    scene->needs(pixel)->excludes(replay);
+    sub->add_option("--size", command->size, "Size of its picture instead of the scene's")
+        ->option_text("WxH")
+        ->needs(scene);
     for (const char* name : {"--torus", "--origin", "--direction", "--t-min", "--t-max"}) {
         replay->excludes(sub->get_option(name));
+        scene->excludes(sub->get_option(name));
     }
     sub->add_flag("--json", command->json, "Print one JSON object");
     sub->add_option("--svg", command->svg, "Draw the section and the quartic, too")->option_text("FILE");

@@ -101,6 +101,8 @@ public:
         image::ReportCase& report = checked.report;
         report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         report.catches = drawing.row.catches;
+        report.explainCommand =
+            fmt::format("raytorus explain --scene {} --pixel {{x}},{{y}}", set->scene(drawing.row).string());
         report.rerunCommand = fmt::format("raytorus golden check {}", drawing.row.name);
         report.renewCommand = fmt::format("raytorus golden renew {} --reason \"...\"", drawing.row.name);
         count(checked);
