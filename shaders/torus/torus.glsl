@@ -50,8 +50,9 @@ struct TorusHit {
 #include "spans.glsl"
 
 // Private: the hit on the line near u, where the line leaves the solid if `rising`, else enters it. The root of the
-// parabola that has the tube function's exact value, slope and curvature at u, kept apart from u, makes position and t
-// right to the rounding of the result, tangents included. Far away several hits can have one t; exactU tells them apart.
+// parabola that has the tube function's exact value, slope and curvature at u (math.md, eq. 27), kept apart from u,
+// makes position and t right to the rounding of the result, tangents included. Far away several hits can have one t;
+// exactU tells them apart.
 TorusHit torus_hit(torus_Line line, float u, bool rising, float tMin, float tMax, out float exactU) {
     torus_Point point;
     TORUS_PRECISE float at = u;

@@ -2,7 +2,7 @@
 // Private: where a line meets the tube. Knows no rays and no units.
 //
 // Everything rests on one function of the line's parameter u, the squared distance to the tube's centre circle less
-// r^2, which is negative inside the solid and, unlike the quartic, knows no inner sheet:
+// r^2, which is negative inside the solid and, unlike the quartic, knows no inner sheet (math.md, eq. 24, 25, 26):
 //
 //     G(u) = (rho(u) - R)^2 + z(u)^2 - r^2 = dd u^2 + K - 2 R rho(u),    rho(u) = |(x(u), y(u))|
 //
