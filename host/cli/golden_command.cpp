@@ -83,11 +83,13 @@ public:
     Checking(const golden::Set& goldens, const DeviceOptions& deviceOptions)
         : set(&goldens), shaders(deviceOptions.shaders()) {}
 
-    void add(gpu::Context& context, const Drawing& drawing) {
+    /// pipelines: of each method, kept from one drawing to the next.
+    void add(gpu::Context& context, const Drawing& drawing,
+             std::map<const Method*, render::PipelineStore>& pipelines) {
         const auto start = std::chrono::steady_clock::now();
-        const image::Image actual =
-            golden::draw(context, *set, drawing.row, drawing.route,
-                         drawing.method != nullptr ? drawing.method->shaders : shaders);
+        const image::Image actual = golden::draw(
+            context, *set, drawing.row, drawing.route,
+            drawing.method != nullptr ? drawing.method->shaders : shaders, &pipelines[drawing.method]);
         golden::Checked checked =
             golden::check(*set, drawing.row, drawing.label, actual, drawing.allowedPixels);
         const bool bitsPromised = context.info().type == "CPU" && drawing.method == nullptr;
@@ -161,8 +163,9 @@ ExitCode runCheck(const GoldenCommand& command) {
         heading.facts.emplace_back("driver", context.info().driverInfo);
         Progress progress("checking");
         const std::vector<Drawing> drawings = drawingsOf(rows);
+        std::map<const Method*, render::PipelineStore> pipelines;
         for (const Drawing& drawing : drawings) {
-            checking.add(context, drawing);
+            checking.add(context, drawing, pipelines);
             progress.show(static_cast<double>(checking.cases.size()) / static_cast<double>(drawings.size()));
         }
     });
@@ -203,13 +206,17 @@ ExitCode runBits(const GoldenCommand& command) {
                         fmt::format("{} promises no bits; a CPU does (--device)", context.info().name));
         }
         Progress progress("drawing");
+        render::PipelineStore pipelines;
+        const render::ShaderSource shaders = command.device.shaders();
         for (const golden::Case& row : set.cases()) {
-            const image::Image picture = golden::draw(context, set, row, render::Route::Fragment);
+            const image::Image picture =
+                golden::draw(context, set, row, render::Route::Fragment, shaders, &pipelines);
             const golden::Checked checked = golden::check(set, row, row.name, picture);
             if (!checked.report.passed) {
                 throw Error(checked.exitCode, fmt::format("{}: {}", row.name, checked.report.sentence));
             }
-            const image::Image again = golden::draw(context, set, row, render::Route::Compute);
+            const image::Image again =
+                golden::draw(context, set, row, render::Route::Compute, shaders, &pipelines);
             bits[row.name] = golden::pictureHash(picture);
             if (golden::pictureHash(again) != bits[row.name]) {
                 throw Error(ExitCode::ComparisonFailed, fmt::format("{}: the two routes disagree", row.name));

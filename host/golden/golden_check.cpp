@@ -11,8 +11,9 @@
 namespace raytorus::golden {
 
 image::Image draw(gpu::Context& context, const Set& set, const Case& row, render::Route route,
-                  const render::ShaderSource& shaders) {
+                  const render::ShaderSource& shaders, render::PipelineStore* pipelines) {
     render::RenderOptions options;
+    options.pipelines = pipelines;
     options.route = route;
     options.samplesPerSide = row.samplesPerSide;
     options.shaders = shaders;

@@ -16,7 +16,7 @@ namespace raytorus::golden {
 
 /// The picture of a case, all channels, as it is drawn now.
 image::Image draw(gpu::Context& context, const Set& set, const Case& row, render::Route route,
-                  const render::ShaderSource& shaders = {});
+                  const render::ShaderSource& shaders = {}, render::PipelineStore* pipelines = nullptr);
 
 struct Checked {
     image::ReportCase report;

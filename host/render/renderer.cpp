@@ -26,7 +26,7 @@ double secondsSince(Clock::time_point start) {
 struct RoutePlan {
     gpu::Use write;
     VkImageLayout layout;
-    gpu::Pipeline pipeline;
+    gpu::Pipeline* pipeline = nullptr;
     std::function<void(VkCommandBuffer, std::uint32_t firstRow, std::uint32_t endRow)> draw;
 };
 
@@ -52,30 +52,27 @@ gpu::Pipeline fragmentPipeline(const gpu::Context& context, const Scene& scene, 
                                    shader(context, options, "scene.frag"), attachments, info);
 }
 
-gpu::Pipeline computePipeline(const gpu::Context& context, const Scene& scene, const RenderOptions& options,
-                              std::span<const gpu::Image> images) {
+gpu::Pipeline computePipeline(const gpu::Context& context, const Scene& scene, const RenderOptions& options) {
     gpu::PipelineLayoutInfo info = layoutInfo(scene, options);
     info.pushConstantBytes = 3 * sizeof(std::uint32_t);
     for (std::uint32_t i = 0; i < 4; ++i) {
         info.bindings.push_back({SCENE_BINDING_COLOR + i, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE});
     }
-    gpu::Pipeline pipeline = gpu::makeComputePipeline(context, shader(context, options, "scene.comp"), info);
-    for (std::uint32_t i = 0; i < 4; ++i) {
-        // Without the geometric pictures the shader never stores to their bindings, but each must be valid.
-        pipeline.bind(SCENE_BINDING_COLOR + i, images[std::min<std::size_t>(i, images.size() - 1)]);
-    }
-    return pipeline;
+    return gpu::makeComputePipeline(context, shader(context, options, "scene.comp"), info);
 }
 
 RoutePlan makePlan(const gpu::Context& context, const Scene& scene, const RenderOptions& options,
-                   const PictureTargets& targets) {
+                   const PictureTargets& targets, PipelineStore& store) {
+    const std::vector<std::uint32_t> specialization = layoutInfo(scene, options).specialization;
     const std::span<const gpu::Image> images = targets.images();
     const VkExtent2D extent = images.front().extent();
     RoutePlan plan{};
     if (options.route == Route::Fragment) {
         plan.write = gpu::colorWrite;
         plan.layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-        plan.pipeline = fragmentPipeline(context, scene, options, static_cast<std::uint32_t>(images.size()));
+        plan.pipeline = &store.find(options.route, specialization, [&] {
+            return fragmentPipeline(context, scene, options, static_cast<std::uint32_t>(images.size()));
+        });
         plan.draw = [images, extent](VkCommandBuffer commands, std::uint32_t firstRow, std::uint32_t endRow) {
             gpu::drawScreen(commands, images,
                             {{0, static_cast<std::int32_t>(firstRow)}, {extent.width, endRow - firstRow}});
@@ -84,7 +81,12 @@ RoutePlan makePlan(const gpu::Context& context, const Scene& scene, const Render
     }
     plan.write = gpu::shaderWrite;
     plan.layout = VK_IMAGE_LAYOUT_GENERAL;
-    plan.pipeline = computePipeline(context, scene, options, images);
+    plan.pipeline =
+        &store.find(options.route, specialization, [&] { return computePipeline(context, scene, options); });
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        // Without the geometric pictures the shader never stores to their bindings, but each must be valid.
+        plan.pipeline->bind(SCENE_BINDING_COLOR + i, images[std::min<std::size_t>(i, images.size() - 1)]);
+    }
     plan.draw = [extent](VkCommandBuffer commands, std::uint32_t firstRow, std::uint32_t endRow) {
         const auto groups = [](std::uint32_t size, std::uint32_t group) {
             return (size + group - 1) / group;
@@ -126,8 +128,8 @@ PassTimes renderPass(gpu::Context& context, const RenderOptions& options, const 
             timestamps.begin(commands);
             const std::array band = {row, end, extent.width};
             const bool compute = options.route == Route::Compute;
-            plan.pipeline.use(commands,
-                              compute ? std::as_bytes(std::span(band)) : std::span<const std::byte>());
+            plan.pipeline->use(commands,
+                               compute ? std::as_bytes(std::span(band)) : std::span<const std::byte>());
             plan.draw(commands, row, end);
             timestamps.end(commands);
         });
@@ -158,6 +160,16 @@ void renderPasses(gpu::Context& context, const RenderOptions& options, const Pic
 
 }  // namespace
 
+gpu::Pipeline& PipelineStore::find(Route route, const std::vector<std::uint32_t>& specialization,
+                                   const std::function<gpu::Pipeline()>& make) {
+    const std::pair key(route, specialization);
+    auto found = pipelines.find(key);
+    if (found == pipelines.end()) {
+        found = pipelines.emplace(key, make()).first;
+    }
+    return found->second;
+}
+
 RenderResult render(gpu::Context& context, const Scene& scene, const RenderOptions& options) {
     const int width = options.width > 0 ? options.width : scene.imageWidth;
     const int height = options.height > 0 ? options.height : scene.imageHeight;
@@ -170,8 +182,10 @@ RenderResult render(gpu::Context& context, const Scene& scene, const RenderOptio
 
     start = Clock::now();
     const PictureTargets targets(context, extent, options.aovs);
-    RoutePlan plan = makePlan(context, scene, options, targets);
-    buffers.bindTo(plan.pipeline);
+    PipelineStore own;
+    const RoutePlan plan =
+        makePlan(context, scene, options, targets, options.pipelines != nullptr ? *options.pipelines : own);
+    buffers.bindTo(*plan.pipeline);
     result.times.pipeline = secondsSince(start);
 
     renderPasses(context, options, targets, plan, result.times);

@@ -2,10 +2,15 @@
 // Scene to picture, by the fragment or the compute route.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "gpu/context.hpp"
+#include "gpu/pipeline.hpp"
 #include "image/image.hpp"
 #include "render/scene.hpp"
 #include "render/shader_source.hpp"
@@ -13,6 +18,19 @@
 namespace raytorus::render {
 
 enum class Route { Fragment, Compute };
+
+/// Pipelines kept from one picture to the next. Scenes with as many tori, lights and samples have the same,
+/// and a driver compiles each for longer than it draws a small picture. For one context, which must outlive
+/// it, and one ShaderSource.
+class PipelineStore {
+public:
+    /// The pipeline for these specialization constants; `make` is called where there is none yet.
+    gpu::Pipeline& find(Route route, const std::vector<std::uint32_t>& specialization,
+                        const std::function<gpu::Pipeline()>& make);
+
+private:
+    std::map<std::pair<Route, std::vector<std::uint32_t>>, gpu::Pipeline> pipelines;
+};
 
 struct RenderOptions {
     Route route = Route::Fragment;
@@ -22,6 +40,7 @@ struct RenderOptions {
     int repeats = 1;         ///< render so many times and report the fastest; the pictures are the same
     bool aovs = true;        ///< the geometric pictures too; see PictureTargets for the channels
     ShaderSource shaders;
+    PipelineStore* pipelines = nullptr;    ///< null: one is made, and goes
     std::function<void(double)> progress;  ///< called with the part done, in (0, 1]
 };
 
