@@ -221,7 +221,7 @@ std::string described(const test::SurfacePoint& at, const std::string& differenc
 
 TEST_F(CxxTwin, SurfaceFunctionsHaveTheSameBits) {
     const std::vector<test::SurfacePoint> points = surfacePoints();
-    const std::vector<test::SurfaceAnswer> answers = test::probe(points);
+    const std::vector<test::SurfaceAnswer> answers = test::SurfaceProbe(test::device()).ask(points);
     Differences differences;
     for (std::size_t i = 0; i < points.size(); ++i) {
         differences.add(described(points[i], difference(test::cxxSurface(points[i]), &answers[i])));

@@ -4,6 +4,7 @@ raytorus_compile_shaders(raytorus_test_shaders NAMESPACE raytorus::test_shaders 
 
 raytorus_add_tests(gpu_tests
     SOURCES
+        contract_checks.cpp
         contract_test.cpp
         cxx_twin_test.cpp
         denormal_test.cpp
@@ -19,6 +20,7 @@ raytorus_add_tests(gpu_tests
         quartic_rays_test.cpp
         special_lines_test.cpp
         stress_rays_test.cpp
+        surface_checks.cpp
         surface_probe.cpp
         surface_test.cpp
         torus_cxx.cpp

@@ -3,26 +3,32 @@
 
 #include <cstring>
 
-#include "device_fixture.hpp"
+#include "gpu/buffer.hpp"
 #include "gpu/commands.hpp"
-#include "gpu/pipeline.hpp"
 #include "raytorus_test_shaders.hpp"
 
 namespace raytorus::test {
 
-std::vector<SurfaceAnswer> probe(const std::vector<SurfacePoint>& points) {
-    const gpu::Buffer input =
-        gpu::makeBuffer(device(), std::span<const SurfacePoint>(points), gpu::BufferUse::Storage);
-    const gpu::Buffer output(device(), points.size() * sizeof(SurfaceAnswer), gpu::BufferUse::ReadBack);
+SurfaceProbe::SurfaceProbe(gpu::Context& deviceContext)
+    : SurfaceProbe(deviceContext, render::ShaderSource(test_shaders::find)) {}
+
+SurfaceProbe::SurfaceProbe(gpu::Context& deviceContext, const render::ShaderSource& shaders)
+    : context(&deviceContext) {
     gpu::PipelineLayoutInfo info;
     info.bindings = {{0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}, {1, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}};
     info.pushConstantBytes = sizeof(std::uint32_t);
-    const gpu::ShaderModule shader(device(), test_shaders::find("probe.comp"), "probe.comp");
-    gpu::Pipeline pipeline = gpu::makeComputePipeline(device(), shader, info);
+    const gpu::ShaderModule shader(deviceContext, shaders.load("probe.comp"), "probe.comp");
+    pipeline = gpu::makeComputePipeline(deviceContext, shader, info);
+}
+
+std::vector<SurfaceAnswer> SurfaceProbe::ask(const std::vector<SurfacePoint>& points) {
+    const gpu::Buffer input =
+        gpu::makeBuffer(*context, std::span<const SurfacePoint>(points), gpu::BufferUse::Storage);
+    const gpu::Buffer output(*context, points.size() * sizeof(SurfaceAnswer), gpu::BufferUse::ReadBack);
     pipeline.bind(0, input);
     pipeline.bind(1, output);
     const auto count = static_cast<std::uint32_t>(points.size());
-    device().submit([&](VkCommandBuffer commands) {
+    context->submit([&](VkCommandBuffer commands) {
         pipeline.use(commands, std::as_bytes(std::span(&count, 1)));
         vkCmdDispatch(commands, (count + 63) / 64, 1, 1);
         gpu::bufferBarrier(commands, output, gpu::shaderWrite, gpu::hostRead);

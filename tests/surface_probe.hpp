@@ -4,6 +4,10 @@
 
 #include <vector>
 
+#include "gpu/context.hpp"
+#include "gpu/pipeline.hpp"
+#include "render/shader_source.hpp"
+
 namespace raytorus::test {
 
 /// What the functions are asked about, as probe.comp reads it.
@@ -27,6 +31,17 @@ struct SurfaceAnswer {
     float unused[4];
 };
 
-std::vector<SurfaceAnswer> probe(const std::vector<SurfacePoint>& points);
+/// Asks one probe.comp: the built-in one, or another.
+class SurfaceProbe {
+public:
+    explicit SurfaceProbe(gpu::Context& context);
+    SurfaceProbe(gpu::Context& context, const render::ShaderSource& shaders);
+
+    std::vector<SurfaceAnswer> ask(const std::vector<SurfacePoint>& points);
+
+private:
+    gpu::Context* context;
+    gpu::Pipeline pipeline;
+};
 
 }  // namespace raytorus::test
