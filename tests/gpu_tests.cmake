@@ -18,6 +18,7 @@ raytorus_add_tests(gpu_tests
         loose_arithmetic.cpp
         loose_arithmetic_test.cpp
         quartic_rays_test.cpp
+        special_lines.cpp
         special_lines_test.cpp
         stress_rays_test.cpp
         surface_checks.cpp

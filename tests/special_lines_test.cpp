@@ -1,170 +1,54 @@
 // SPDX-License-Identifier: MIT
-// Lines in special positions: exact tangents and their neighbours, Villarceau's planes, the axis, the tip of
-// a horn, the dimples of a spindle, hits whose distances are decades apart. Each is judged by the reference,
-// however near to a tangent; an exact tangent may have both its hits or neither, but the functions must
-// agree.
-#include <gtest/gtest.h>
+// Lines in special positions, through the real SPIR-V.
+#include "special_lines.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
+#include <gtest/gtest.h>
 
 #include "device_fixture.hpp"
 #include "hit_judge.hpp"
 
-namespace raytorus {
+namespace raytorus::test {
 namespace {
 
-using reference::Ray;
-using reference::Torus;
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
-// `x` moved by a number of floats.
-float stepped(float x, int steps) {
-    for (; steps != 0; steps += steps < 0 ? 1 : -1) {
-        x = std::nextafter(x, steps < 0 ? -infinity : infinity);
-    }
-    return x;
-}
-
-// The ray itself, and with each number of its origin and direction moved by up to 4 floats.
-std::vector<Ray> withNeighbours(const Ray& ray) {
-    std::vector<Ray> rays{ray};
-    for (int i = 0; i < 6; ++i) {
-        for (const int steps : {-4, -2, -1, 1, 2, 4}) {
-            Ray moved = ray;
-            float& number = i < 3 ? moved.origin[i] : moved.direction[i - 3];
-            // Beside zero the next floats are denormal: there, the steps of a number near 1.
-            number = number == 0.0F ? static_cast<float>(steps) * 0x1p-24F : stepped(number, steps);
-            rays.push_back(moved);
-        }
-    }
-    return rays;
-}
-
-class SpecialLines : public test::DeviceTest {
-protected:
-    // Fails for each ray, or neighbour of it, with a wrong answer.
-    void expectRight(const Torus& torus, const std::vector<Ray>& rays) {
-        std::vector<Ray> all;
-        for (const Ray& ray : rays) {
-            const std::vector<Ray> some = withNeighbours(ray);
-            all.insert(all.end(), some.begin(), some.end());
-        }
-        test::HitJudge judge(all.size());
-        for (const std::string& fault : judge.mismatches(torus, all)) {
+// Fails for each line, or neighbour of it, with a wrong answer.
+void expectRight(const std::vector<SpecialLines>& lines) {
+    for (const SpecialLines& some : lines) {
+        HitJudge judge(some.rays.size());
+        for (const std::string& fault : judge.mismatches(some.torus, some.rays)) {
             EXPECT_EQ(fault, "");
         }
     }
-};
-
-Ray along(const std::array<float, 3>& origin, const std::array<float, 3>& direction) {
-    return {{origin[0], origin[1], origin[2]}, 0, {direction[0], direction[1], direction[2]}, infinity};
 }
 
-TEST_F(SpecialLines, TouchTheEquators) {
-    for (const float minorRadius : {0x1p-10F, 0.0625F, 0.25F, 0.875F, 1.0F, 1.5F}) {
-        const Torus torus{1, minorRadius};
-        const float outer = 1 + minorRadius;
-        const float inner = 1 - minorRadius;
-        expectRight(torus, {along({outer, -5, 0}, {0, 1, 0}), along({-2, outer, 0}, {1, 0, 0}),
-                            along({outer, 0, 3}, {0, 0, -1}), along({outer, -4, -4}, {0, 1, 1}),
-                            along({inner, -5, 0}, {0, 1, 0}), along({-2, inner, 0}, {1, 0, 0}),
-                            along({inner, 0, 3}, {0, 0, -1}), along({inner, -4, -4}, {0, 1, 1})});
-    }
+using LinesInSpecialPositions = DeviceTest;
+
+TEST_F(LinesInSpecialPositions, TouchTheEquators) {
+    expectRight(touchTheEquators());
 }
 
-// Along y at height r the line touches the top circle; at x = 1 it lies in its tangent: a fourfold root. Of a
-// thinner tube the hits beside that one are known to some 1e-5 (R + r) only.
-TEST_F(SpecialLines, TouchTheTopCircle) {
-    for (const float minorRadius : {0.03125F, 0.0625F, 0.25F, 0.875F, 1.0F, 1.5F}) {
-        const Torus torus{1, minorRadius};
-        std::vector<Ray> rays;
-        for (const float x : {0.0F, 0.25F, 0.9375F, 1.0F, 1.0625F}) {
-            rays.push_back(along({x, -5, minorRadius}, {0, 1, 0}));
-            rays.push_back(along({x, 3, -minorRadius}, {0, -2, 0}));
-        }
-        rays.push_back(along({-3, -4, minorRadius}, {0.75F, 1, 0}));
-        expectRight(torus, rays);
-    }
+TEST_F(LinesInSpecialPositions, TouchTheTopCircle) {
+    expectRight(touchTheTopCircle());
 }
 
-// With R = 5, r = 3 the plane z = 3 x / 4 cuts the torus in two circles of radius 5 around (0, +-3, 0): lines
-// in it meet each in two points, or touch one at y = +-8 or y = +-2 (the equators), and the one through the
-// centre touches the torus from inside the hole in both points where the circles cross.
-TEST_F(SpecialLines, RunInVillarceausPlanes) {
-    const Torus torus{5, 3};
-    std::vector<Ray> rays;
-    for (const float y : {0.0F, 2.0F, -2.0F, 8.0F, -8.0F, 1.0F, 4.0F, -7.5F}) {
-        rays.push_back(along({-16, y, -12}, {4, 0, 3}));
-        rays.push_back(along({16, y, -12}, {-4, 0, 3}));  // the other plane
-    }
-    for (const float x : {0.0F, 0.5F, 4.0F, 3.75F}) {
-        rays.push_back(along({x, -20, 0.75F * x}, {0, 1, 0}));  // x = 4: touches both circles
-    }
-    rays.push_back(along({-16, -5, -12}, {4, 1, 3}));
-    rays.push_back(along({-8, 9, -6}, {4, -3, 3}));
-    expectRight(torus, rays);
-    // Villarceau's planes of other tori are no exact numbers; the reference says what the rounded ones are.
-    for (const float minorRadius : {0x1p-8F, 0.25F, 0.9375F}) {
-        const float slope = minorRadius / std::sqrt(1 - minorRadius * minorRadius);
-        expectRight({1, minorRadius},
-                    {along({-3, 0, -3 * slope}, {1, 0, slope}), along({0, -3, 3 * slope}, {0, 1, -slope}),
-                     along({-3, 1 - minorRadius, -3 * slope}, {1, 0, slope})});
-    }
+TEST_F(LinesInSpecialPositions, RunInVillarceausPlanes) {
+    expectRight(runInVillarceausPlanes());
 }
 
-TEST_F(SpecialLines, RunAlongTheAxisOrBesideIt) {
-    for (const float minorRadius : {0x1p-10F, 0.25F, 1.0F, 1.25F, 4.0F}) {
-        std::vector<Ray> rays;
-        for (const float x : {0.0F, -0.0F, 1e-38F, 1e-30F, 1e-12F, 1e-7F, 1e-4F}) {
-            rays.push_back(along({x, -0.0F, 5}, {0, -0.0F, -1}));
-            rays.push_back(along({0, x, -5}, {-0.0F, 0, 3}));
-        }
-        expectRight({1, minorRadius}, rays);
-    }
+TEST_F(LinesInSpecialPositions, RunAlongTheAxisOrBesideIt) {
+    expectRight(runAlongTheAxisOrBesideIt());
 }
 
-TEST_F(SpecialLines, MeetTheTipOfAHorn) {
-    std::vector<Ray> rays;
-    for (const float offset : {0.0F, 1e-30F, 1e-12F, 1e-7F, 1e-5F, 1e-3F}) {
-        rays.push_back(along({5, 0, offset}, {-1, 0, 0}));
-        rays.push_back(along({5, offset, 0}, {-1, 0, 0}));
-        rays.push_back(along({3, offset, 3}, {-1, 0, -1}));
-        rays.push_back(along({-3, 3, std::min(offset, 1e-5F) - 1}, {0.75F, -0.75F, 0.25F}));
-        rays.push_back(along({0.5F + offset, 0, 4}, {-0.125F, 0, -1}));
-        rays.push_back(along({offset, 0, 0}, {0.5F, 0.5F, 0.0625F}));  // starts at the tip
-    }
-    expectRight({1, 1}, rays);
+TEST_F(LinesInSpecialPositions, MeetTheTipOfAHorn) {
+    expectRight(meetTheTipOfAHorn());
 }
 
-// r = 5/4, R = 3/4: the tips of the dimples are at z = +-1. Lines along the cone that the sheet makes there
-// are not asked: their hits are known to some 1e-5 (R + r) only.
-TEST_F(SpecialLines, MeetTheDimplesOfASpindle) {
-    std::vector<Ray> rays;
-    for (const float offset : {0.0F, 1e-7F, -1e-7F, 1e-4F, -1e-4F}) {
-        rays.push_back(along({4, offset, 5}, {-1, 0, -1}));              // steeply into the tip
-        rays.push_back(along({5, 0, 1 + offset}, {-1, 0, 0}));           // level through the tip
-        rays.push_back(along({offset, 0, 5}, {0, 0, -1}));               // along the axis
-        rays.push_back(along({5, offset, 1.125F}, {-1, 0, 0}));          // across the dimple
-        rays.push_back(along({5, 0.125F, 1.25F + offset}, {-1, 0, 0}));  // touches the top circle
-        rays.push_back(along({0, offset, 1.0625F}, {0.5F, 0, 0.125F}));  // from within the dimple
-    }
-    expectRight({0.75F, 1.25F}, rays);
+TEST_F(LinesInSpecialPositions, MeetTheDimplesOfASpindle) {
+    expectRight(meetTheDimplesOfASpindle());
 }
 
-// From a point 1e-15 above a horn's tip the hits are at 5e-31 and 2; from 1e8 away they all have one t.
-TEST_F(SpecialLines, HaveHitsManyDecadesApartOrInOneFloat) {
-    expectRight({1, 1}, {along({0, 0, 1e-15F}, {1, 0, 0}), along({0, 0, -1e-15F}, {0.5F, 0.25F, 0})});
-    for (const float minorRadius : {0x1p-10F, 0.25F, 1.5F}) {
-        expectRight({1, minorRadius}, {along({-1e8F, 0, 0}, {1, 0, 0}), along({0, 0, -1e8F}, {0, 0, 1e-8F}),
-                                       along({-0x1p26F, -0x1p26F, 0}, {1, 1, 0})});
-    }
+TEST_F(LinesInSpecialPositions, HaveHitsManyDecadesApartOrInOneFloat) {
+    expectRight(haveHitsManyDecadesApartOrInOneFloat());
 }
 
 }  // namespace
-}  // namespace raytorus
+}  // namespace raytorus::test
