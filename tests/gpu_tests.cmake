@@ -17,6 +17,8 @@ raytorus_add_tests(gpu_tests
         known_rays_test.cpp
         loose_arithmetic.cpp
         loose_arithmetic_test.cpp
+        picture_checks.cpp
+        picture_test.cpp
         quartic_rays_test.cpp
         special_lines.cpp
         special_lines_test.cpp
