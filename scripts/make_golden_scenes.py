@@ -28,11 +28,11 @@ CASES = []
 
 
 def case(name, catches, view, tori, lights=(SUN, LOW_SUN), materials=None, samples=1, ambient=SOFT, background=SKY,
-         methods=None):
+         methods=None, size=SIZE):
     used = {t["material"] for t in tori}
     materials = materials or {key: value for key, value in MATERIALS.items() if key in used}
     scene = {"$schema": "../../docs/scene.schema.json", "description": catches,
-             "image": {"width": SIZE[0], "height": SIZE[1]}, "camera": view, "background": background,
+             "image": {"width": size[0], "height": size[1]}, "camera": view, "background": background,
              "ambient": ambient, "lights": list(lights), "materials": materials, "tori": list(tori)}
     CASES.append((name, catches, scene, samples, methods))
 
@@ -87,6 +87,13 @@ def insides():
     case("inside_across", "starts inside the solid, looks across the hole: out, in and out again",
          camera([1.02, 0.1, 0.05], [-1, 0.2, 0.03], 50), [torus(1, 0.4, "tiles")],
          [point([0, 0, 0.3], [0.6, 0.5, 0.4]), point([-0.9, 0.1, 0.1], [0.05, 0.05, 0.1])])
+    case("inside_away", "starts inside the solid and looks away from the hole: what it has left lies behind",
+         camera([0.95, 0.05, 0.03], [2, 0.3, 0.1], 60), [torus(1, 0.4, "tiles")], [point([1.0, 0.1, 0.2], [0.06, 0.05, 0.04])])
+    case("inside_light_across", "starts inside the solid: a light in the tube across the hole lights nothing here",
+         camera([1.02, 0, 0.02], [0.74, 0.63, -0.05], 80), [torus(1, 0.4, "tiles")],
+         [point([0.93, 0.37, 0.2], [0.14, 0.105, 0.06]), point([-1, -0.1, 0], [3, 1, 4])])
+    case("outside_away", "starts beside the outer equator, within the bounding sphere, and looks away: nothing ahead",
+         camera([1.28, 0, 0.36], [2.6, 0.1, 0.5], 60), [torus(1, 0.4, "tiles")])
     case("inside_hole", "starts in the hole", camera([0.05, 0.1, 0.02], [1, 0.3, 0.1], 90), [torus(1, 0.35, "tiles")],
          [point([0, 0, 0.2], [0.4, 0.35, 0.3])])
     case("inside_spindle", "starts inside a spindle: no hit on the inner sheet", camera([0.2, 0.1, 0.05], [1, 0.4, 0.3], 90),
@@ -131,6 +138,8 @@ def placements():
          [{**torus(100, 35, "tiles", [0.3, -0.2, 0.1], [1, 0.3, 0], 40), "scale": 0.01}])
     case("moved", "a torus 1000 R from the origin of the world, the camera with it", from_afar(4, 3, [700, -600, 400]),
          [torus(1, 0.35, "clay", [700, -600, 400], [1, 0.3, 0], 20)])
+    case("tall", "more rows than the compute route draws at a time: each band at its place", from_afar(6, 9),
+         [tilted(1, 0.35), tilted(0.6, 0.25, "gold", [0.2, 0, 2.6]), tilted(0.6, 0.25, "clay", [0, 0, -2.6])], size=(16, 96))
     case("tiny", "sizes of 1e-6: nothing may be absolute", from_afar(4e-6, 3e-6), [torus(1e-6, 0.35e-6, "tiles", None, [1, 0.3, 0], 20)])
     case("huge", "sizes of 1e6: nothing may be absolute", from_afar(4e6, 3e6), [torus(1e6, 0.35e6, "tiles", None, [1, 0.3, 0], 20)])
     case("rolled", "a camera that is rolled", camera([2, -2.6, 2], [0, 0, 0], 40, (0.7, 0.4, 0.6)), [tilted(1, 0.35)])
@@ -145,7 +154,7 @@ def many():
     grid = [torus(0.3, 0.1, ("clay", "gold", "steel")[(i + j) % 3], [0.9 * i, 0.9 * j, 0.2 * ((i * j) % 3)], [1, j * 0.3, 0.2], 25 * i)
             for i in range(-4, 5) for j in range(-4, 5)]
     case("grid", "81 rings: the hierarchy neither drops nor doubles one", from_afar(12, 7), grid)
-    crowd = [torus(0.02, 0.008, "clay", [0.1 * (i % 24) - 1.15, 0.1 * (i // 24) - 1.15, 0.01 * (i % 7)], [1, 0.2, 0], 10 * (i % 9))
+    crowd = [torus(0.02, 0.008, ("clay", "gold", "steel")[i % 3], [0.1 * (i % 24) - 1.15, 0.1 * (i // 24) - 1.15, 0.01 * (i % 7)], [1, 0.2, 0], 10 * (i % 9))
              for i in range(576)]
     case("crowd", "576 rings, more than a uniform block holds: the storage buffers", from_afar(1.6, 0.7, [0.2, 0.1, 0]), crowd)
     case("overlap", "tori that run through each other: nearest by t alone", from_afar(4, 3),
@@ -178,6 +187,9 @@ def shading():
          [point([0.5, -0.9, 0.9], [0.7, 0.6, 0.5])])
     case("point_light_in_hole", "a point light in the hole: what lies beyond it casts no shadow", view, [tilted(1, 0.3, "clay")],
          [point([0.1, 0, 0.05], [0.6, 0.5, 0.4])])
+    case("point_light_below", "a point light just below a ring, which casts no shadow on what lies below both",
+         from_afar(4, 2.6, [0.6, 0, 0.5], unit([0.9, -1.2, 0.35])),
+         [torus(1, 0.4, "tiles"), torus(1, 0.3, "clay", [0, 0, 1.6], [1, 0, 0], 35)], [point([1, 0, 0.85], [0.5, 0.45, 0.4])])
     sixteen = [directional(unit([math.cos(0.4 * i), math.sin(0.4 * i), 0.2 + 0.1 * i]), [0.02 + 0.01 * i, 0.1, 0.17 - 0.01 * i])
                for i in range(16)]
     case("sixteen_lights", "as many lights as there may be, each of another colour", view, [tilted(1, 0.4, "clay")], sixteen)
