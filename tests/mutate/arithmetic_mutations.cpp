@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Faults of the compensated arithmetic: each term that somebody could take for superfluous.
+#include "mutate/mutation.hpp"
+
+namespace raytorus::mutate {
+namespace {
+
+constexpr const char* arithmetic = "torus/arithmetic.glsl";
+constexpr const char* line = "torus/line.glsl";
+constexpr const char* tube = "torus/tube.glsl";
+constexpr const char* torus = "torus/torus.glsl";
+
+constexpr Mutation rows[] = {
+    {"precise-dropped", arithmetic, "#define TORUS_PRECISE precise", "#define TORUS_PRECISE",
+     "the compiler takes the compensations for zero"},
+    {"two-sum-halved", arithmetic, "(a - (sum - bInSum)) + (b - bInSum)", "b - bInSum",
+     "right only where a is the larger one"},
+    {"two-sum-sign", arithmetic, "(a - (sum - bInSum)) + (b - bInSum)", "(a - (sum - bInSum)) - (b - bInSum)",
+     "a sign in the two-sum"},
+    {"split-at-the-wrong-bit", arithmetic, "4097.0 * a", "1048577.0 * a",
+     "Veltkamp's constant of another precision"},
+    {"product-low-parts", arithmetic, "+ aHigh * bLow + aLow * bHigh) + aLow * bLow", ") + aLow * bLow",
+     "the mixed terms of the product dropped"},
+    {"product-lowest-part", arithmetic, " + aLow * bLow;", ";", "the last term of the product dropped",
+     Shows::InNumbers},
+    {"product-one-mixed-part", arithmetic, "+ aHigh * bLow + aLow * bHigh", "+ aHigh * bLow",
+     "a mixed term of the product dropped"},
+    {"advance-sum-rounded", arithmetic,
+     "torus_sumError(base, product, sum) + torus_productError(factor, direction, product)",
+     "torus_productError(factor, direction, product)", "the sum's rounding dropped"},
+    {"advance-product-rounded", arithmetic,
+     "torus_sumError(base, product, sum) + torus_productError(factor, direction, product)",
+     "torus_sumError(base, product, sum)", "the product's rounding dropped"},
+    {"advance-rest-lost", arithmetic, "low = lost", "low = 0.0", "the rest of the sum thrown away",
+     Shows::InNumbers},
+    {"squares-rounded", arithmetic, "((max(aa, bb) - cc) + min(aa, bb)) + errors",
+     "(max(aa, bb) - cc) + min(aa, bb)", "the squares' roundings dropped"},
+    {"squares-one-rounded", arithmetic, " - torus_productError(c, c, cc)", "",
+     "the third square's rounding dropped"},
+
+    {"second-shift-missing", line,
+     "float secondShift = -(first.x * d.x + first.y * d.y + first.z * d.z) * perDd",
+     "float secondShift = 0.0", "from far away one shift does not reach the foot"},
+    {"first-low-forgotten", line, "footLow = firstLow + secondLow", "footLow = secondLow",
+     "what the first shift's rounding took is lost", Shows::InNumbers},
+    {"second-low-forgotten", line, "footLow = firstLow + secondLow", "footLow = firstLow",
+     "what the second shift's rounding took is lost", Shows::InNumbers},
+    {"foot-low-forgotten", line, "line.footLow = footLow", "line.footLow = vec3(0.0)",
+     "the foot as it is rounded", Shows::InNumbers},
+    {"foot-t-low-forgotten", line, "line.footTLow = secondShift * tScale", "line.footTLow = 0.0",
+     "t without the second shift"},
+
+    {"tube-as-polynomial", tube,
+     "(q - line.minorRadius) * (q + line.minorRadius) + z * z;\n    TORUS_PRECISE float along",
+     "((x * x + y * y + z * z + line.majorRadius * line.majorRadius - line.minorRadius * line.minorRadius) "
+     "-\n"
+     "        2.0 * line.majorRadius * rho);\n    TORUS_PRECISE float along",
+     "multiplied out, the tube function cancels and loses a thin tube"},
+    {"exact-tube-rounded", tube, "torus_squareDifference(q, z, line.minorRadius) +",
+     "(q * q + z * z - line.minorRadius * line.minorRadius) +", "the exact value rounded after all",
+     Shows::InNumbers},
+    {"exact-tube-without-low", tube, " + 2.0 * (q * qLow + z * allLow.z)", "",
+     "the point's low part dropped from its value", Shows::InNumbers},
+    {"root-residual-rounded", tube, "torus_squareDifference(x, y, root) + 2.0 * (x", "2.0 * (x",
+     "the square root's rounding dropped", Shows::InNumbers},
+    {"root-without-low", tube, " + 2.0 * (x * allLow.x + y * allLow.y)", "",
+     "the point's low part dropped from its distance to the axis", Shows::InNumbers},
+    {"ring-distance-rounded", tube, "torus_sumError(root, -line.majorRadius, q) + rootLow", "rootLow",
+     "the difference's rounding dropped", Shows::InNumbers},
+    {"ring-distance-without-low", tube, "torus_sumError(root, -line.majorRadius, q) + rootLow",
+     "torus_sumError(root, -line.majorRadius, q)", "the root's low part dropped", Shows::InNumbers},
+    {"curvature-sign", tube, "line.length2 - bend", "line.length2 + bend", "the bend of rho added"},
+    {"position-without-low", torus, "(point.low + step * line.direction)", "(step * line.direction)",
+     "the point's low part dropped from the hit", Shows::InNumbers},
+    {"t-sum-rounded", torus, "(torus_sumError(line.footT, uT, sum) + (line.footTLow + step * line.tPerU))",
+     "(line.footTLow + step * line.tPerU)", "the sum's rounding dropped from t", Shows::InNumbers},
+};
+
+}  // namespace
+
+std::span<const Mutation> arithmeticMutations() {
+    return rows;
+}
+
+}  // namespace raytorus::mutate

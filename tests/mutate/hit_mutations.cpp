@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Faults of what the queries make of crossings: last steps, positions, t, ends and counts.
+#include "mutate/mutation.hpp"
+
+namespace raytorus::mutate {
+namespace {
+
+constexpr const char* torus = "torus/torus.glsl";
+constexpr const char* tube = "torus/tube.glsl";
+
+constexpr Mutation rows[] = {
+    {"last-step-missing", torus, "step = denominator != 0.0 ? numerator / denominator : 0.0", "step = 0.0",
+     "roots as the coarse iteration leaves them"},
+    {"last-step-once", tube, "#define TORUS_LAST_STEPS 24", "#define TORUS_LAST_STEPS 1",
+     "flat crossings need more than one", Shows::InNumbers},
+    {"last-step-backwards", torus, "step = rising ? step : -step", "step = rising ? -step : step",
+     "a sign of the parabola's root"},
+    {"last-step-direction", torus, "step = rising ? step : -step", "",
+     "entering crossings step the wrong way"},
+    {"last-step-other-root", torus, "float root = sqrt(max(rest, 0.0))", "float root = -sqrt(max(rest, 0.0))",
+     "the parabola's other root"},
+    {"t-of-the-start", torus, "float uT = at * line.tPerU", "float uT = u * line.tPerU",
+     "t does not follow the last steps but the first"},
+    {"t-without-the-step", torus, "(line.footTLow + step * line.tPerU)", "line.footTLow",
+     "position and t are of different points"},
+    {"t-negated", torus, "float sum = line.footT + uT", "float sum = line.footT - uT",
+     "counted from the wrong side of the foot"},
+    {"position-of-the-start", torus, "(point.high + (point.low + step * line.direction)) * line.unit",
+     "(point.high + point.low) * line.unit", "the position before the last step"},
+    {"position-unscaled", torus, "(point.high + (point.low + step * line.direction)) * line.unit",
+     "point.high + (point.low + step * line.direction)", "the position in units of the torus' size"},
+    {"nearest-beyond-the-end", torus, "if (!(exactU <= line.upper))", "if (false)",
+     "a hit beyond tMax is returned"},
+    {"all-behind-the-start", torus, "exists && exactU >= line.lower && exactU", "exists && exactU",
+     "hits behind the start are counted"},
+    {"all-beyond-the-end", torus, "exactU >= line.lower && exactU <= line.upper", "exactU >= line.lower",
+     "hits beyond the end are counted", Shows::InNumbers},
+    {"all-first-pair", torus, "for (int i = 0; i < 4; ++i) {\n        float u",
+     "for (int i = 0; i < 2; ++i) {\n        float u", "two hits for four"},
+    {"all-one-by-one", torus, "++count;", "count = i + 1;", "entries before the first hit are counted"},
+    {"any-is-the-sphere", torus, "return torus_crosses(line);", "return true;",
+     "the bounding sphere throws the shadow"},
+    {"any-is-never", torus, "return torus_crosses(line);", "return false;", "no torus throws a shadow"},
+};
+
+}  // namespace
+
+std::span<const Mutation> hitMutations() {
+    return rows;
+}
+
+}  // namespace raytorus::mutate

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// A copy of the shaders with one mutation in it, compiled.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "mutate/mutation.hpp"
+#include "render/shader_source.hpp"
+
+namespace raytorus::mutate {
+
+class Mutant {
+public:
+    /// Copies the shaders to `folder`, changes them (nothing, without a mutation) and compiles them as the
+    /// build does. Throws Error{Internal} for a stale row, Error{Shader} for one that does not compile.
+    Mutant(const Mutation* mutation, std::filesystem::path folder);
+
+    /// All the host's shaders, and probe.comp.
+    [[nodiscard]] const render::ShaderSource& shaders() const { return source; }
+
+    /// Whether the mutation changed this shader; where it has not, there is nothing to test.
+    [[nodiscard]] bool changes(const std::string& shader) const;
+
+private:
+    render::ShaderSource source;
+};
+
+}  // namespace raytorus::mutate

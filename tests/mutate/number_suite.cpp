@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "mutate/number_suite.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "contract_checks.hpp"
+#include "hit_match.hpp"
+#include "picture_checks.hpp"
+#include "render/renderer.hpp"
+#include "render/scene_json.hpp"
+#include "special_lines.hpp"
+#include "surface_checks.hpp"
+#include "verify/verifier.hpp"
+
+namespace raytorus::mutate {
+namespace {
+
+std::optional<std::string> caughtByContract(gpu::Context& context, const render::ShaderSource& shaders) {
+    std::array tracers = {render::Tracer(context, render::Query::Nearest, test::contractRays, shaders),
+                          render::Tracer(context, render::Query::All, test::contractRays, shaders),
+                          render::Tracer(context, render::Query::Any, test::contractRays, shaders)};
+    const test::AskRays ask = [&tracers](render::Query query, float majorRadius, float minorRadius,
+                                         const std::vector<render::TraceRay>& rays) {
+        const std::span<const float> values =
+            tracers.at(static_cast<std::size_t>(query)).trace(majorRadius, minorRadius, rays);
+        return std::vector<float>(values.begin(), values.end());
+    };
+    for (const test::ContractCheck& check : test::contractChecks()) {
+        const std::string fault = check.fault(ask);
+        if (!fault.empty()) {
+            return fmt::format("{}: {}", check.name, fault);
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<std::string> caughtBySpecialLines(gpu::Context& context, const render::ShaderSource& shaders) {
+    constexpr std::size_t capacity = 4096;
+    verify::Questions questions(context, capacity, shaders);
+    for (const test::SpecialLinesOf& kind : test::allSpecialLines()) {
+        for (const test::SpecialLines& lines : kind.lines()) {
+            const std::vector<verify::Answers> answers = questions.ask(lines.torus, lines.rays);
+            for (std::size_t i = 0; i < answers.size(); ++i) {
+                const std::string fault = test::mismatch(lines.torus, lines.rays[i], answers[i]);
+                if (!fault.empty()) {
+                    return fmt::format("{}: {}", kind.name, fault);
+                }
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<std::string> caughtBySurface(gpu::Context& context, const render::ShaderSource& shaders) {
+    test::SurfaceProbe probe(context, shaders);
+    const test::AskSurface ask = [&probe](const std::vector<test::SurfacePoint>& points) {
+        return probe.ask(points);
+    };
+    for (const test::SurfaceCheck& check : test::surfaceChecks()) {
+        const std::string fault = check.fault(ask);
+        if (!fault.empty()) {
+            return fmt::format("{}: {}", check.name, fault);
+        }
+    }
+    return std::nullopt;
+}
+
+// Every class on very thin, ordinary, fat and spindle tori, from near and far.
+std::vector<verify::Cell> cells() {
+    verify::CellChoice choice;
+    choice.radii = {0.001F, 0.01F, 0.25F, 0.9F, 1.0F, 1.5F};
+    choice.distances = {3.0, 100.0};
+    std::vector<verify::Cell> cells = verify::chooseCells(choice);
+    for (const float radius : {0.01F, 0.5F}) {
+        cells.push_back({reference::RayClass::camera, radius, 1e4});
+        cells.push_back({reference::RayClass::camera, radius, 1e6});
+    }
+    return cells;
+}
+
+std::optional<std::string> caughtByRays(gpu::Context& context, const render::ShaderSource& shaders,
+                                        const RayChoice& rays) {
+    verify::Verifier verifier(context, shaders, 1);  // mutants already run side by side
+    for (const verify::Cell& cell : cells()) {
+        const std::vector<std::string> broken =
+            verify::brokenBars(cell, verifier.verify(cell, rays.seed, rays.perCell));
+        if (!broken.empty()) {
+            return broken.front();
+        }
+    }
+    return std::nullopt;
+}
+
+// From far away, where a position that is not the library's is furthest off.
+std::optional<std::string> caughtByPositions(gpu::Context& context, const render::ShaderSource& shaders) {
+    const render::Scene scene =
+        render::readScene(std::filesystem::path(RAYTORUS_SOURCE_DIR) / "golden" / "scenes" / "far_1e5.json");
+    render::RenderOptions options;
+    options.shaders = shaders;
+    const std::string fault = test::offTheTori(render::render(context, scene, options).picture, scene);
+    return fault.empty() ? std::nullopt : std::optional("positions of a picture: " + fault);
+}
+
+}  // namespace
+
+std::optional<std::string> caughtByNumbers(gpu::Context& context, const render::ShaderSource& shaders,
+                                           const RayChoice& rays, const Asked& asked) {
+    std::optional<std::string> caught;
+    if (asked.rays) {
+        caught = caughtByContract(context, shaders);
+    }
+    if (!caught && asked.rays) {
+        caught = caughtByRays(context, shaders, rays);
+    }
+    if (!caught && asked.rays) {
+        caught = caughtBySpecialLines(context, shaders);
+    }
+    if (!caught && asked.surface) {
+        caught = caughtBySurface(context, shaders);
+    }
+    if (!caught && asked.pictures) {
+        caught = caughtByPositions(context, shaders);
+    }
+    return caught;
+}
+
+}  // namespace raytorus::mutate

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// Faults of the solver: extrema, spans and crossings of a line.
+#include "mutate/mutation.hpp"
+
+namespace raytorus::mutate {
+namespace {
+
+constexpr const char* line = "torus/line.glsl";
+constexpr const char* tube = "torus/tube.glsl";
+constexpr const char* spans = "torus/spans.glsl";
+
+constexpr Mutation rows[] = {
+    {"sphere-too-small", line, "float outer = R + r", "float outer = R + 0.95 * r",
+     "a bounding sphere that cuts the outer equator off"},
+    {"sphere-without-room", line, "outer * outer * TORUS_SPHERE_ROOM", "outer * outer",
+     "rounding puts the equator's hits outside", Shows::InNumbers},
+    {"t-min-ignored", line, "max(lower, -halfChord)", "-halfChord", "what is behind the start is hit"},
+    {"t-max-ignored", line, "min(upper, halfChord)", "halfChord", "what is beyond the end is hit"},
+    {"t-min-epsilon", line, "max(tMin, -TORUS_FLOAT_MAX)", "max(tMin + 1.0e-4, -TORUS_FLOAT_MAX)",
+     "a hidden epsilon against self-intersection", Shows::InNumbers},
+    {"radius-epsilon", line, "line.minorRadius = r;", "line.minorRadius = r + 1.0e-5;",
+     "a torus that is a little fatter"},
+    {"t-scale-inverted", line, "directionUnit * perUnit", "perDirectionUnit * perUnit",
+     "lengths of the direction divided by, not multiplied with"},
+    {"t-unit-forgotten", line, "tScale = unit * perDirectionUnit", "tScale = perDirectionUnit",
+     "t in units of the torus' size"},
+
+    {"axis-mirrored-wrongly", tube, "m > 0.0 ? -1.0 : 1.0", "m < 0.0 ? -1.0 : 1.0",
+     "lines that come towards the axis are mirrored, not those that leave it"},
+    {"second-dip-forgotten", tube, "extrema.hasSecond = hasRight", "extrema.hasSecond = false",
+     "the second pair of hits is dropped"},
+    {"extrema-three-steps", tube, "#define TORUS_EXTREMUM_STEPS 16", "#define TORUS_EXTREMUM_STEPS 3",
+     "a loop that ends before Newton is there"},
+    {"extrema-early-out", tube, "#define TORUS_EXTREMUM_STEP 0.00390625", "#define TORUS_EXTREMUM_STEP 1.0",
+     "steps of a whole tube count as none"},
+    {"roots-one-step", tube, "#define TORUS_ROOT_STEPS 48", "#define TORUS_ROOT_STEPS 1",
+     "the last steps are left with what they cannot reach", Shows::InNumbers},
+    {"roots-anywhere", tube, "start > lo && start < hi ? start : 0.5 * (lo + hi)", "hi",
+     "Newton from the end of the bracket, where nothing makes it converge"},
+    {"roots-other-side", tube, "rising == (value > 0.0)", "rising != (value > 0.0)",
+     "the bracket shrinks to the wrong half", Shows::InNumbers},
+    {"doubt-removed", tube, "return abs(value) <= room;", "return false;",
+     "extrema that rounding put on the other side stay there", Shows::InNumbers},
+    {"inner-sheet-of-a-spindle", tube,
+     "(q - line.minorRadius) * (q + line.minorRadius) + z * z;\n    TORUS_PRECISE float along",
+     "((q - line.minorRadius) * (q + line.minorRadius) + z * z) *\n"
+     "        sign((rho + line.majorRadius - line.minorRadius) * (rho + line.majorRadius + line.minorRadius) "
+     "+ z * z);"
+     "\n    TORUS_PRECISE float along",
+     "the quartic's sign, which turns on a spindle's inner sheet too"},
+    {"maximum-never-inside", spans, "wanted && spans.first && spans.second && value <= 0.0", "false",
+     "two dips are always two spans: a gap where the line stays inside"},
+    {"maximum-always-inside", spans, "wanted && spans.first && spans.second && value <= 0.0",
+     "wanted && spans.first && spans.second", "two dips are always one span: the hole is filled"},
+    {"dip-at-zero-lost", spans, "spans.first = extrema.firstValue <= 0.0",
+     "spans.first = extrema.firstValue < -0.01", "a tolerance in the wrong direction drops near misses"},
+    {"crossing-though-joined", spans, "&& !(inner && spans.joined)", "",
+     "crossings in the middle of one span are counted"},
+    {"last-crossing-entering", spans, "rising = index == 1 || index == 3", "rising = index == 1",
+     "the second span's end taken for a beginning"},
+    {"first-behind-the-start", spans, "spans.first && spans.extrema.firstMinimum >= line.lower",
+     "spans.first", "a span that the start has left behind is the first one"},
+    {"second-behind-the-start", spans, "spans.second && spans.extrema.secondMinimum >= line.lower",
+     "spans.second", "the same of the second span"},
+    {"leaves-the-wrong-span", spans, "(!spans.joined && line.lower < spans.middle)", "!spans.joined",
+     "a start in the second span leaves the first one"},
+    {"any-ignores-the-ends", spans, "return insideLower != insideUpper ||", "return",
+     "a shadow ray that ends inside meets nothing"},
+    {"any-ignores-the-gap", spans, "(insideLower ? gapBetween : dipBetween)", "dipBetween && !insideLower",
+     "a shadow ray through the hole meets nothing"},
+    {"any-beyond-the-end", spans, "(spans.first && first >= line.lower && first <= line.upper)",
+     "(spans.first && first >= line.lower)", "what is behind the light throws a shadow"},
+    {"any-ignores-the-second", spans, "(spans.second && second >= line.lower && second <= line.upper)",
+     "false", "the far side throws no shadow"},
+};
+
+}  // namespace
+
+std::span<const Mutation> solverMutations() {
+    return rows;
+}
+
+}  // namespace raytorus::mutate
