@@ -79,7 +79,7 @@ float times(double x, double factor) {
 TEST_F(ExtremeRanges, SizesAndDirectionsOfAnyLengthCombine) {
     constexpr std::uint64_t raysPerCase = 40;
     test::HitJudge judge(raysPerCase);
-    for (const double size : {1e-15, 3e-11, 1e-5, 1e5, 7e10, 1e15}) {
+    for (const double size : {0.81e-18, 1e-15, 3e-11, 1e-5, 1e5, 7e10, 1e15}) {
         for (const double speed : {1e-18, 1e-9, 1.0, 1e9, 0.99e18}) {
             for (const double distance : {1.5, 1e4}) {
                 for (const RayClass rayClass : {RayClass::camera, RayClass::inside, RayClass::segment}) {

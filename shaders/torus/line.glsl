@@ -45,8 +45,9 @@ bool torus_reduce(float majorRadius, float minorRadius, vec3 origin, float tMin,
     float unit = torus_powerOfTwoBelow(majorRadius + minorRadius);
     float longest = max(max(abs(direction.x), abs(direction.y)), abs(direction.z));
     float directionUnit = torus_powerOfTwoBelow(longest);
-    // Outside these ranges the reciprocals of the units, or their quotient, would leave float32.
-    bool valid = minorRadius > 0.0 && majorRadius >= 0.0 && unit >= 1.0e-18 && unit <= 1.0e18 &&
+    // Outside these ranges the reciprocals of the units, or their quotient, would leave float32. The unit of 1e-18 is
+    // 2^-60.
+    bool valid = minorRadius > 0.0 && majorRadius >= 0.0 && unit >= 8.0e-19 && unit <= 1.0e18 &&
                  directionUnit >= 1.0e-19 && directionUnit <= 1.0e19;
     if (!valid) {
         unit = 1.0;

@@ -17,7 +17,7 @@ constexpr Mutation rows[] = {
      "a negative tube radius can be hit", Shows::InNumbers},
     {"ring-radius-unchecked", line, "majorRadius >= 0.0 && unit", "unit", "a negative ring radius can be hit",
      Shows::InNumbers},
-    {"size-unchecked", line, "unit >= 1.0e-18 && unit <= 1.0e18 &&", "", "reciprocals overflow",
+    {"size-unchecked", line, "unit >= 8.0e-19 && unit <= 1.0e18 &&", "", "reciprocals overflow",
      Shows::InNumbers},
     {"direction-unchecked", line, "&&\n                 directionUnit >= 1.0e-19 && directionUnit <= 1.0e19",
      "", "a zero direction divides by zero", Shows::InNumbers},
