@@ -72,15 +72,26 @@ std::vector<BadInput> badInputs() {
     add("denormal direction", [](BadInput& b) { b.ray.direction[0] = -1e-40F; });
     add("huge torus", [](BadInput& b) { b.majorRadius = b.minorRadius = largest; });
     add("huge direction", [](BadInput& b) { b.ray.direction[0] = -largest; });
+    for (const float size : {1e-20F, 1e20F}) {
+        add(fmt::format("size {}", size), [size](BadInput& b) {
+            b.majorRadius = size;
+            b.minorRadius = 0.25F * size;
+            b.ray.origin[0] = 3 * size;
+            b.ray.tMax = b.t = infinity;
+        });
+    }
     add("origin beyond", [](BadInput& b) { b.ray.origin[1] = largest; });
     return list;
 }
 
-std::vector<TraceRay> cameraRays(float minorRadius) {
+std::vector<TraceRay> raysOf(reference::RayClass rayClass, float minorRadius) {
     reference::RayParameters parameters;
     parameters.torus = {1.0F, minorRadius};
-    return verify::asTraceRays(
-        reference::generateRays(reference::RayClass::camera, parameters, contractRays));
+    return verify::asTraceRays(reference::generateRays(rayClass, parameters, contractRays));
+}
+
+std::vector<TraceRay> cameraRays(float minorRadius) {
+    return raysOf(reference::RayClass::camera, minorRadius);
 }
 
 bool sameBits(float a, float b) {
@@ -223,12 +234,39 @@ std::string pastTheCountFault(const AskRays& ask) {
     return partial > 0 ? "" : "no ray had entries past its hits";
 }
 
+std::string hitNormalFault(const AskRays& ask) {
+    constexpr float minorRadius = 0.25F;
+    const reference::Torus torus{1.0F, minorRadius};
+    // rho carries half an ulp of R, which turns the tube's radius by 2^-24 R / r.
+    constexpr double rounding = 2.4e-7 * (1.0 + 1.0 / double{minorRadius});
+    for (const reference::RayClass rayClass : {reference::RayClass::camera, reference::RayClass::inside}) {
+        const std::vector<float> hits = ask(Query::Nearest, 1.0F, minorRadius, raysOf(rayClass, minorRadius));
+        for (std::size_t i = 0; i < contractRays; ++i) {
+            render::NearestHit hit;
+            std::memcpy(&hit, &hits[i * render::hitFloats(Query::Nearest)], sizeof(hit));
+            if (hit.hit == 0.0F) {
+                continue;
+            }
+            const auto exact = reference::toDouble(reference::normal(torus, reference::toQuad(hit.position)));
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                if (!(std::abs(double{hit.normal[axis]} - exact[axis]) <= rounding)) {
+                    return fmt::format("{} ray {}: the normal is {} instead of {}",
+                                       reference::nameOf(rayClass), i, fmt::join(hit.normal, " "),
+                                       fmt::join(exact, " "));
+                }
+            }
+        }
+    }
+    return "";
+}
+
 std::span<const ContractCheck> contractChecks() {
     static constexpr std::array checks = {
         ContractCheck{"bad input", badInputFault},
         ContractCheck{"infinite ends", infiniteEndFault},
         ContractCheck{"scaling by powers of two", scalingFault},
         ContractCheck{"entries past the count", pastTheCountFault},
+        ContractCheck{"normals of hits", hitNormalFault},
     };
     return checks;
 }

@@ -22,6 +22,8 @@ std::string badInputFault(const AskRays& ask);
 std::string infiniteEndFault(const AskRays& ask);
 std::string scalingFault(const AskRays& ask);
 std::string pastTheCountFault(const AskRays& ask);
+/// The normal of the nearest hit, which is that of its position, outward from whichever side it is hit.
+std::string hitNormalFault(const AskRays& ask);
 
 struct ContractCheck {
     const char* name;

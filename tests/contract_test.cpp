@@ -44,5 +44,9 @@ TEST_F(Contract, EntriesPastTheCountHoldTMax) {
     EXPECT_EQ(pastTheCountFault(ask), "");
 }
 
+TEST_F(Contract, NormalsOfHitsAreOutward) {
+    EXPECT_EQ(hitNormalFault(ask), "");
+}
+
 }  // namespace
 }  // namespace raytorus::test

@@ -93,7 +93,7 @@ TEST(Mutations, AreCaughtWhereTheyShow) {
     const std::vector<Outcome> outcomes = runMutations(mutations, goldens, optionsOfTest());
     ASSERT_EQ(outcomes.size(), 3U);
     EXPECT_TRUE(outcomes[0].goldens.caught);
-    EXPECT_FALSE(outcomes[0].numbers.asked) << "trace.comp has no camera";
+    EXPECT_FALSE(outcomes[0].numbers.caught) << "rays have no camera, and the positions are on the torus";
     EXPECT_TRUE(outcomes[1].goldens.caught);
     EXPECT_TRUE(outcomes[1].numbers.caught);
     EXPECT_FALSE(outcomes[2].goldens.asked) << "no picture uses tangents";
@@ -135,6 +135,9 @@ TEST(ProgramMutate, AnswersAsDocumented) {
     const test::ProgramResult found = run({"--only", "fragment-next-pixel"});
     EXPECT_EQ(found.exitCode, 0) << testing::PrintToString(found);
     EXPECT_TRUE(found.out.ends_with("the bar is held\n")) << found.out;
+    const test::ProgramResult missed = run({"--only", "all-beyond-the-end", "--rays", "1"});
+    EXPECT_EQ(missed.exitCode, static_cast<int>(ExitCode::ComparisonFailed)) << "one ray a cell is too few";
+    EXPECT_TRUE(missed.out.ends_with("the bar is missed\n")) << missed.out;
 }
 
 }  // namespace

@@ -36,3 +36,8 @@ target_link_libraries(raytorus-mutate PRIVATE raytorus_mutate raytorus::cli rayt
 raytorus_add_tests(mutate_tests SOURCES mutate_test.cpp LIBRARIES raytorus_mutate)
 add_dependencies(mutate_tests raytorus-mutate)
 target_compile_definitions(mutate_tests PRIVATE RAYTORUS_MUTATE="$<TARGET_FILE:raytorus-mutate>")
+
+# A few faults, as people run them.
+add_test(NAME mutate.some COMMAND raytorus-mutate --validate
+    --only camera-upside-down,lift-missing,second-dip-forgotten,precise-dropped,uv-octants,direction-unchecked)
+set_tests_properties(mutate.some PROPERTIES LABELS mutation TIMEOUT 300)

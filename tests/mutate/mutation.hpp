@@ -9,8 +9,9 @@
 
 namespace raytorus::mutate {
 
-/// Whether pictures can show a fault. What no picture uses (surface functions, trace.comp), what no scene can
-/// hold (bad input) and what is far below a picture's tolerance is for the numeric tests alone.
+/// Whether pictures can show a fault. For the numeric tests alone are: what no picture uses (surface
+/// functions, trace.comp), what no scene can hold (bad input, an end of a ray that is seen), what changes
+/// last bits alone, and verdicts so near to a tangent that a truth leaves them open.
 enum class Shows { InPictures, InNumbers };
 
 struct Mutation {

@@ -81,7 +81,7 @@ std::string outcomesMarkdown(std::span<const Outcome> outcomes) {
                             cell(outcome.goldens, goldensNotAsked(outcome)), outcome.bits.value_or("-"),
                             cell(outcome.numbers, "(same code)"));
     }
-    return fmt::format("{}\n{}\n", text, totalsText(totalsOf(outcomes)));
+    return fmt::format("{}\n```\n{}\n```\n", text, totalsText(totalsOf(outcomes)));
 }
 
 std::string outcomesJson(std::span<const Outcome> outcomes) {
