@@ -78,6 +78,11 @@ struct Case {
     std::size_t hits, roots;  // roots that are no hits
 };
 
+// For GoogleTest's messages.
+void PrintTo(const Case& row, std::ostream* out) {
+    *out << row.name;
+}
+
 const Case cases[] = {
     {"Four", {1, 0.35F}, {{-2, 0.4F, 0.45F}, 0, {1, 0, -0.2F}, infinity}, 4, 0},
     {"Two", {1, 0.4F}, {{-3, 0.3F, 1}, 0, {1, 0.1F, -0.5F}, infinity}, 2, 0},

@@ -104,6 +104,10 @@ struct Special {
     std::size_t hits;
 };
 
+void PrintTo(const Special& row, std::ostream* out) {
+    *out << row.name;
+}
+
 class ExplainSpecial : public Explain, public testing::WithParamInterface<Special> {};
 
 TEST_P(ExplainSpecial, IsNoted) {
@@ -149,6 +153,10 @@ struct Bad {
     Ray ray;
     const char* fault;
 };
+
+void PrintTo(const Bad& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class ExplainBadInput : public Explain, public testing::WithParamInterface<Bad> {};
 
