@@ -249,6 +249,11 @@ TEST(CxxTwinAlone, FlushingDenormalsChangesNoBit) {
     Differences differences;
     for (const Case& c : cases()) {
         const auto [majorRadius, minorRadius] = c.torus;
+        // A ray aimed at a horn's tip may be 1e-12 r from a tangent there, where flushing decides
+        // (docs/testing.md).
+        if (minorRadius == majorRadius && c.name.starts_with("through")) {
+            continue;
+        }
         for (const TraceRay& ray : c.rays) {
             const render::NearestHit nearest = test::cxxNearest(majorRadius, minorRadius, ray);
             const render::AllHits all = test::cxxAll(majorRadius, minorRadius, ray);
