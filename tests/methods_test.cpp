@@ -182,9 +182,10 @@ TEST_P(EachMethod, MissesWithTheContractsOutputs) {
         {ring, {{3, 0, 0}, 5, {-1, 0, 0}, 1}, 1},
         {ring, {{3, 0, 0}, 0, {-1, 0, 0}, nan}, 0},
     };
+    verify::Questions questions(test::device(), 1, GetParam().shaders);
     for (std::size_t i = 0; i < std::size(rows); ++i) {
         SCOPED_TRACE(i);
-        const std::vector<Answers> answers = ask(GetParam(), rows[i].torus, {rows[i].ray});
+        const std::vector<Answers> answers = questions.ask(rows[i].torus, {rows[i].ray});
         EXPECT_EQ(answers[0].any, 0.0F);
         EXPECT_EQ(answers[0].nearest.hit, 0.0F);
         EXPECT_EQ(answers[0].nearest.t, rows[i].t);
