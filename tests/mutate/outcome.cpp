@@ -74,8 +74,11 @@ std::string totalsText(const Totals& totals) {
 
 std::string outcomesMarkdown(std::span<const Outcome> outcomes) {
     std::string text =
-        "| Fault | What somebody got wrong | Goldens | Their bits on a CPU | Numeric tests "
-        "|\n|---|---|---|---|---|\n";
+        "# Faults, and what catches them\n\n"
+        "Written by `raytorus-mutate --markdown`: [how sharp the tests "
+        "are](testing.md#how-sharp-they-are).\n\n"
+        "| Fault | What somebody got wrong | Goldens | Their bits on a CPU | Numeric tests |\n"
+        "|---|---|---|---|---|\n";
     for (const Outcome& outcome : outcomes) {
         text += fmt::format("| {} | {} | {} | {} | {} |\n", outcome.mutation.name, outcome.mutation.mistake,
                             cell(outcome.goldens, goldensNotAsked(outcome)), outcome.bits.value_or("-"),
