@@ -73,8 +73,8 @@ TEST_F(ProgramBulk, MemoryDoesNotGrowWithTheFile) {
     EXPECT_EQ(large.exitCode, 0) << testing::PrintToString(large);
     EXPECT_EQ(std::filesystem::file_size(folder / "hits.bin"), 5000000 * hitFloats * sizeof(float));
     // A chunk is read (32 MiB) before the one before it is let go, and in the small file the second is a
-    // quarter full; twice that for what the allocator keeps.
-    constexpr std::size_t allowed = std::size_t{64} << 20U;
+    // quarter full; three times that for what the allocator keeps, which with sanitizers is 63 MiB.
+    constexpr std::size_t allowed = std::size_t{96} << 20U;
     EXPECT_LT(large.peakMemory, small.peakMemory + allowed);
 }
 
