@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A picture held to the truth by the truth's own channels: where the margin is 1 or more, id and count are
-// exact and every other value lies within its tolerance.
+// A picture held to the truth as the goldens are, by image::compare, and what many such comparisons come to.
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -13,18 +13,17 @@ namespace raytorus::test {
 
 /// What one tolerance says of a picture.
 struct ToleranceUse {
-    const char* channel;        ///< tolerance.*
-    double largestRatio = 0.0;  ///< difference / tolerance of the sharp pixels; at most 1 in a right picture
-    double largestTolerance = 0.0;  ///< of the sharp pixels
+    const char* tolerance = "";  ///< "color" for tolerance.color
+    double largestRatio = 0.0;   ///< difference / tolerance of the sharp pixels; at most 1 in a right picture
 };
 
 struct TruthJudgement {
-    std::vector<std::string> faults;  ///< one a value that breaks the rule
-    std::array<ToleranceUse, 5> tolerances{};
+    std::vector<std::string> faults;  ///< one a channel in which a value breaks the rule
+    std::array<ToleranceUse, 5> uses{};
     double seconds = 0.0;  ///< that the truth took
-    int pixels = 0;
-    int doubtful = 0, doubtfulCount = 0, doubtfulColor = 0;  ///< pixels with a margin below 1
-    int flipped = 0;  ///< doubtful pixels in which id or count is another one
+    std::int64_t pixels = 0;
+    std::int64_t doubtful = 0, doubtfulCount = 0, doubtfulColor = 0;  ///< pixels with a margin below 1
+    std::int64_t flipped = 0;  ///< doubtful pixels in which a value is off by more than its tolerance
 
     void add(const TruthJudgement& other);
 };

@@ -48,9 +48,8 @@ void print(const TruthJudgement& judgement) {
         "the truth took {:.2f} s; of {} pixels may flip: {} the hit, {} the count, {} the colour; {} do\n",
         judgement.seconds, judgement.pixels, judgement.doubtful, judgement.doubtfulCount,
         judgement.doubtfulColor, judgement.flipped);
-    for (const ToleranceUse& use : judgement.tolerances) {
-        fmt::print("{:<18} largest difference / tolerance {:.3f}, largest tolerance {:.2g}\n", use.channel,
-                   use.largestRatio, use.largestTolerance);
+    for (const ToleranceUse& use : judgement.uses) {
+        fmt::print("{:<10} largest difference / tolerance {:.3f}\n", use.tolerance, use.largestRatio);
     }
 }
 
