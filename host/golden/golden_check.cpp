@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "golden/golden_folder.hpp"
-#include "image/difference.hpp"
 #include "image/image_io.hpp"
 #include "render/scene_json.hpp"
 
@@ -56,20 +55,6 @@ std::string bitsFault(const Set& set, const Case& row, const image::Image& actua
             row.name);
     }
     return "";
-}
-
-void leaveEvidence(const std::filesystem::path& folder, const image::ReportCase& result) {
-    std::filesystem::create_directories(folder);
-    if (result.actual) {
-        image::writeImage(folder / "actual.exr", *result.actual);
-    }
-    if (result.expected) {
-        image::writeImage(folder / "expected.exr", *result.expected);
-    }
-    if (result.comparison && result.comparison->verdict == image::Verdict::Differ) {
-        image::writeImage(folder / "difference.png",
-                          image::differenceImage(*result.expected, *result.actual, result.comparison->rules));
-    }
 }
 
 }  // namespace raytorus::golden

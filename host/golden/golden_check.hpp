@@ -3,7 +3,6 @@
 // passed over.
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "core/error.hpp"
@@ -31,8 +30,5 @@ Checked check(const Set& set, const Case& row, const std::string& label, const i
 
 /// Why the bits are not those that are recorded; empty if they are.
 std::string bitsFault(const Set& set, const Case& row, const image::Image& actual);
-
-/// Leaves expected.exr, actual.exr and difference.png in `folder`, as far as they exist.
-void leaveEvidence(const std::filesystem::path& folder, const image::ReportCase& result);
 
 }  // namespace raytorus::golden
