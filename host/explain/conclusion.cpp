@@ -7,18 +7,19 @@
 
 #include "explain/notes.hpp"
 #include "explain/number_text.hpp"
+#include "reference/promise.hpp"
 
 namespace raytorus::explain {
 namespace {
 
 bool isGross(const Explanation& e) {
     const double size = double{e.torus.majorRadius} + double{e.torus.minorRadius};
-    return !(e.library.position * size <= grossError * double{e.torus.minorRadius});
+    return !(e.library.position * size <= reference::grossError * double{e.torus.minorRadius});
 }
 
 // Is what differs no more than the hits at the ends of the ray that the contract leaves open?
 bool isLeftOpen(const Explanation& e) {
-    const double margin = endMargin(e.torus);
+    const double margin = reference::clearEndMargin(e.torus);
     const int open = (e.startClearance < margin ? 1 : 0) + (e.stopClearance < margin ? 1 : 0);
     return open > 0 && std::abs(e.library.expected - e.library.found) <= open;
 }
@@ -88,7 +89,7 @@ std::string conclusionOf(const Explanation& e) {
                           : "the library is wrong: a hit for bad input";
     }
     std::string sentence = fmt::format("{}; {}", ofLibrary(e), ofClosedForm(e));
-    if (e.clearance < nearlyTangent) {
+    if (e.clearance < reference::clearMargin) {
         sentence += e.clearance < negligible
                         ? ": the line is a tangent"
                         : fmt::format(": the line passes within {} r of a tangent", roughly(e.clearance));

@@ -12,9 +12,6 @@ namespace raytorus::explain {
 /// explanation that has everything else.
 std::string conclusionOf(const Explanation& explanation);
 
-/// A position this far off, in r, is wrong and not rounded.
-inline constexpr double grossError = 0.01;
-
 /// Counts, agreement of the functions, and no gross error; but for what the contract leaves open at the ends.
 bool isRight(const Explanation& explanation);
 

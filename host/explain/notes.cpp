@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "explain/number_text.hpp"
+#include "reference/promise.hpp"
 
 namespace raytorus::explain {
 namespace {
@@ -108,11 +109,11 @@ void addPlaceNotes(const Explanation& e, Notes& notes) {
 void addDoubts(const Explanation& e, Notes& notes) {
     if (e.clearance < negligible) {
         notes.push_back("tangent: a touching line has both hits or neither");
-    } else if (e.clearance < nearlyTangent) {
+    } else if (e.clearance < reference::clearMargin) {
         notes.push_back(fmt::format("nearly tangent: the distance has an extremum {} r from the surface",
                                     roughly(e.clearance)));
     }
-    const double margin = endMargin(e.torus);
+    const double margin = reference::clearEndMargin(e.torus);
     for (const auto& [name, clearance] :
          {std::pair("tMin", e.startClearance), std::pair("tMax", e.stopClearance)}) {
         if (clearance < margin) {
@@ -124,11 +125,6 @@ void addDoubts(const Explanation& e, Notes& notes) {
 }
 
 }  // namespace
-
-double endMargin(const reference::Torus& torus) {
-    const double r{torus.minorRadius};
-    return std::max(2e-5, 2e-7 * (double{torus.majorRadius} + r) / r);
-}
 
 std::vector<std::string> faultsOf(const reference::Torus& torus, const reference::Ray& ray) {
     Notes faults;

@@ -15,12 +15,4 @@ std::vector<std::string> faultsOf(const reference::Torus& torus, const reference
 /// Special positions, decided exactly. Of an explanation without faults that has its clearances.
 std::vector<std::string> notesOf(const Explanation& explanation);
 
-/// An extremum of the distance to the tube nearer to the surface than this, in r, makes a ray nearly tangent:
-/// what raytorus-verify, too, judges apart.
-inline constexpr double nearlyTangent = 1e-3;
-
-/// An end of the ray nearer to the surface than this, in r, leaves the hit there open: thrice the rounding of
-/// the distance itself, as raytorus-verify judges ends.
-double endMargin(const reference::Torus& torus);
-
 }  // namespace raytorus::explain

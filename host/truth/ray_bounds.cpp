@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "truth/ray_bounds.hpp"
 
-#include <algorithm>
-
 namespace raytorus::truth {
 
 double libraryEnd(const scene_io::SceneTorus& torus) {
-    return std::max(2e-5 * static_cast<double>(torus.radii.y), 2e-7 * outerRadius(torus));
+    return reference::clearEndMargin(shapeOf(torus)) * static_cast<double>(torus.radii.y);
 }
 
 CameraBounds cameraBounds(const scene_io::SceneFrame& frame, const PicturePoint<Rounded>& point) {

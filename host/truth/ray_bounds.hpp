@@ -12,15 +12,14 @@
 // docs/accuracy.md.
 #pragma once
 
+#include "reference/promise.hpp"
 #include "truth/scene_data.hpp"
 
 namespace raytorus::truth {
 
-/// How far a position that the library finds is from the exact hit of the ray it was given, in R + r.
-inline constexpr double libraryPosition = 9e-8;
+using reference::positionBound;
 
-/// How far from the surface an end of a ray has to be for the library to know on which side it is
-/// (docs/accuracy.md).
+/// How far from the surface an end of a ray has to be for the library to know on which side it is.
 double libraryEnd(const scene_io::SceneTorus& torus);
 
 struct CameraBounds {

@@ -149,7 +149,7 @@ private:
     Sharpness withRounding(const View& exact, const Spread& spread, const VerdictMargins& verdicts) const {
         Vec3<Rounded> hit = fromDoubles<Rounded>(exact.hit);
         for (Rounded& component : hit) {
-            component.error = libraryPosition * outerRadius(torus);
+            component.error = positionBound * outerRadius(torus);
         }
         const SurfacePoint<Rounded> point = surfacePoint(torus, hit);
         Vec3<Rounded> eye = fromDoubles<Rounded>(toEye);
@@ -206,8 +206,7 @@ private:
             const Ray<Rounded> shadow{start, pathTo(light, start)};
             const double reach = length(toDoubles(start) - originOf<double>(blocker)) + outerRadius(blocker);
             const double t = isPointLight(light) ? 1.0 : reach;
-            const double moved =
-                displacementAt(blocker, shadow).at(t) + libraryPosition * outerRadius(blocker);
+            const double moved = displacementAt(blocker, shadow).at(t) + positionBound * outerRadius(blocker);
             const double off = spreadFactor * spread.shadows[static_cast<std::size_t>(i)] +
                                std::max(moved, libraryEnd(blocker));
             margin = std::min(margin, std::abs(clearance.length) / off);

@@ -25,7 +25,7 @@ public:
 
     // What the ray may be displaced near t, the library's own error included.
     double allowance(double t) const {
-        return displacement.at(std::clamp(t, 0.0, far)) + libraryPosition * outerRadius(torus);
+        return displacement.at(std::clamp(t, 0.0, far)) + positionBound * outerRadius(torus);
     }
 
     // On which side of the surface the camera is.
@@ -112,7 +112,7 @@ VerdictMargins verdictMargins(const SceneData& scene, const Ray<DoubleDouble>& r
             const Displacement shift = cameraDisplacement(scene.tori[i], ray, camera);
             const double reach =
                 length(originOf<double>(scene.tori[i]) - plain.origin) + outerRadius(scene.tori[i]);
-            const double passes = clear / (shift.at(reach) + libraryPosition * outerRadius(scene.tori[i]));
+            const double passes = clear / (shift.at(reach) + positionBound * outerRadius(scene.tori[i]));
             if (passes > std::max(margins.nearest, margins.count)) {
                 continue;
             }

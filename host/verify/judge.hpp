@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "reference/promise.hpp"
 #include "reference/torus_reference.hpp"
 #include "verify/questions.hpp"
 
@@ -42,28 +43,15 @@ bool agree(const Answers& answers);
 /// "missed", as tables head their columns.
 const char* nameOf(Fault fault);
 
-/// A gross error, in minor radii.
-inline constexpr double grossError = 0.01;
-
-/// A verdict is clear if no extremum of the distance to the tube along the line is nearer to the surface
-/// than this part of r ...
-inline constexpr double clearMargin = 1e-3;
-
-/// ... and neither end of the ray nearer than this part of r: there the sign of the distance decides, which
-/// float32 knows to some 2^-24 (R + r), thrice for good measure.
-inline double clearEndMargin(const reference::Torus& torus) {
-    const double r{torus.minorRadius};
-    return std::max(2e-5, 2e-7 * (double{torus.majorRadius} + r) / r);
-}
+using reference::clearEndMargin;
+using reference::clearMargin;
+using reference::grossError;
+using reference::positionBound;
 
 /// Whether a ray has one right answer, by these margins. Both are measured on the ray as rounded to floats.
 inline bool isClear(const Truth& truth, double tangentMargin, double endMargin) {
     return truth.clearance >= tangentMargin && truth.endClearance() >= endMargin;
 }
-
-/// How far a position of a clear ray may be from the exact hit of the ray as given, in R + r: 2^-24 for the
-/// exact position, rounded, and half as much again for all other roundings (docs/accuracy.md).
-inline constexpr double positionBound = 9e-8;
 
 /// How far its t may be off, in ulp as HitErrors has them: half an ulp where it is rounded once, which it
 /// nearly always is. A flat crossing (a ray nearly along a thin tube, or near the tip of a horn) adds to it.

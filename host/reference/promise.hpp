@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// What the library promises of its answers, and where it leaves them open: docs/accuracy.md, as numbers.
+#pragma once
+
+#include <algorithm>
+
+#include "reference/torus_reference.hpp"
+
+namespace raytorus::reference {
+
+/// A gross error of a position, in minor radii.
+inline constexpr double grossError = 0.01;
+
+/// A verdict is clear if no extremum of the distance to the tube along the line is nearer to the surface
+/// than this part of r ...
+inline constexpr double clearMargin = 1e-3;
+
+/// ... and neither end of the ray nearer than this part of r: there the sign of the distance decides, which
+/// float32 knows to some 2^-24 (R + r), thrice for good measure.
+inline double clearEndMargin(const Torus& torus) {
+    const double r{torus.minorRadius};
+    return std::max(2e-5, 2e-7 * (double{torus.majorRadius} + r) / r);
+}
+
+/// How far a position of a clear ray may be from the exact hit of the ray as given, in R + r: 2^-24 for the
+/// exact position, rounded, and half as much again for all other roundings.
+inline constexpr double positionBound = 9e-8;
+
+}  // namespace raytorus::reference
