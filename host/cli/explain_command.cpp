@@ -10,13 +10,13 @@
 #include "cli/command.hpp"
 #include "cli/device_options.hpp"
 #include "cli/number_text.hpp"
+#include "cli/option_text.hpp"
 #include "cli/pixel_option.hpp"
 #include "core/file.hpp"
 #include "explain/explain.hpp"
 #include "explain/json.hpp"
 #include "explain/svg.hpp"
 #include "explain/text.hpp"
-#include "reference/rays.hpp"
 
 namespace raytorus::cli {
 namespace {
@@ -59,20 +59,10 @@ std::array<float, Count> numbersOf(const char* option, const char* what, const s
     return *numbers;
 }
 
-reference::TorusAndRay replayed(const std::string& text) {
-    const std::optional<reference::TorusAndRay> parsed = reference::parseHexFloats(text);
-    if (!parsed) {
-        throw Error(
-            ExitCode::Usage,
-            fmt::format("--replay takes ten numbers: R r, origin, tMin, direction, tMax; not \"{}\"", text));
-    }
-    return *parsed;
-}
-
 // sentence: what is to be said first, if anything.
 reference::TorusAndRay torusAndRay(const ExplainCommand& command, std::string& sentence) {
     if (!command.replay.empty()) {
-        return replayed(command.replay);
+        return replayOption(command.replay);
     }
     if (!command.scene.empty()) {
         const PixelRay found = pixelRay(command.scene, command.pixel, command.size);

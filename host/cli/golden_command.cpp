@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <map>
 #include <memory>
 
 #include "bench/methods/methods.hpp"
@@ -13,7 +14,6 @@
 #include "golden/golden_check.hpp"
 #include "golden/golden_folder.hpp"
 #include "golden/golden_renew.hpp"
-#include "image/comparison_text.hpp"
 
 namespace raytorus::cli {
 namespace {

@@ -7,23 +7,13 @@
 #include <cmath>
 
 #include "cli/number_text.hpp"
+#include "cli/option_text.hpp"
 #include "core/error.hpp"
 #include "render/pixel_ray.hpp"
 #include "render/scene_json.hpp"
 
 namespace raytorus::cli {
 namespace {
-
-std::pair<int, int> sizeOf(const render::Scene& scene, const std::string& text) {
-    if (text.empty()) {
-        return {scene.imageWidth, scene.imageHeight};
-    }
-    const auto size = parseSize(text);
-    if (!size) {
-        throw Error(ExitCode::Usage, fmt::format("--size takes WIDTHxHEIGHT, not \"{}\"", text));
-    }
-    return *size;
-}
 
 std::pair<int, int> pixelOf(const std::string& text, int width, int height) {
     const auto numbers = parsePair(text);
@@ -41,7 +31,8 @@ std::pair<int, int> pixelOf(const std::string& text, int width, int height) {
 
 PixelRay pixelRay(const std::string& scenePath, const std::string& pixel, const std::string& size) {
     const render::Scene scene = render::readScene(scenePath);
-    const auto [width, height] = sizeOf(scene, size);
+    const auto [width, height] =
+        size.empty() ? std::pair(scene.imageWidth, scene.imageHeight) : sizeOption(size);
     const auto [x, y] = pixelOf(pixel, width, height);
     const render::TraceRay camera = render::cameraRay(render::makeFrame(scene, width, height), x, y);
     PixelRay result;

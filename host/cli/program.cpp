@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
 #include <new>
@@ -27,6 +28,19 @@ ExitCode runProgram(std::string_view name, const std::function<ExitCode()>& work
     } catch (const std::exception& error) {
         return fail(name, ExitCode::Internal, fmt::format("internal error: {}", error.what()));
     }
+}
+
+bool parse(CLI::App& app, const std::vector<std::string>& arguments) {
+    try {
+        app.parse(std::vector<std::string>(arguments.rbegin(),
+                                           arguments.rend()));  // CLI11 takes them from the back
+    } catch (const CLI::Success& success) {
+        app.exit(success);
+        return false;
+    } catch (const CLI::ParseError& error) {
+        throw Error(ExitCode::Usage, fmt::format("{} (see {} --help)", error.what(), app.get_name()));
+    }
+    return true;
 }
 
 int exitStatus(ExitCode code) {

@@ -2,8 +2,11 @@
 // What every program of raytorus does around its work.
 #pragma once
 
+#include <CLI/App.hpp>
 #include <functional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/error.hpp"
 
@@ -12,6 +15,10 @@ namespace raytorus::cli {
 /// Runs a program's work. The one place where an Error becomes an exit code: its sentence goes to standard
 /// error, after the program's name.
 ExitCode runProgram(std::string_view name, const std::function<ExitCode()>& work);
+
+/// Reads the command line of a program that has no commands. False where --help or --version has been
+/// answered and nothing is left to do. Throws Error{Usage}.
+bool parse(CLI::App& app, const std::vector<std::string>& arguments);
 
 /// What main returns. Never returns itself where the driver may still be at work on what it did not finish in
 /// time: that process leaves without tearing the driver down.

@@ -10,6 +10,7 @@
 #include "cli/device_options.hpp"
 #include "cli/method_option.hpp"
 #include "cli/number_text.hpp"
+#include "cli/option_text.hpp"
 #include "cli/progress.hpp"
 #include "cli/render_stats.hpp"
 #include "core/file.hpp"
@@ -85,13 +86,7 @@ void requireFinite(const image::Image& picture) {
 
 void readOptions(RenderCommand& command) {
     if (!command.size.empty()) {
-        const auto size = parseSize(command.size);
-        if (!size) {
-            throw Error(ExitCode::Usage,
-                        fmt::format("--size takes WIDTHxHEIGHT, each from 1 to {}, not \"{}\"",
-                                    render::maxImageSize, command.size));
-        }
-        std::tie(command.options.width, command.options.height) = *size;
+        std::tie(command.options.width, command.options.height) = sizeOption(command.size);
     }
     const auto side = parseSquare(command.samples);
     if (!side) {
@@ -126,8 +121,7 @@ void readOptions(RenderCommand& command) {
 }
 
 image::Image renderExactly(const render::Scene& scene, const render::RenderOptions& options) {
-    const int width = options.width > 0 ? options.width : scene.imageWidth;
-    const int height = options.height > 0 ? options.height : scene.imageHeight;
+    const auto [width, height] = render::pictureSize(scene, options);
     Progress progress("rendering");
     truth::TruthOptions exact;
     exact.samplesPerSide = options.samplesPerSide;

@@ -160,6 +160,11 @@ void renderPasses(gpu::Context& context, const RenderOptions& options, const Pic
 
 }  // namespace
 
+std::pair<int, int> pictureSize(const Scene& scene, const RenderOptions& options) {
+    return {options.width > 0 ? options.width : scene.imageWidth,
+            options.height > 0 ? options.height : scene.imageHeight};
+}
+
 gpu::Pipeline& PipelineStore::find(Route route, const std::vector<std::uint32_t>& specialization,
                                    const std::function<gpu::Pipeline()>& make) {
     const std::pair key(route, specialization);
@@ -171,8 +176,7 @@ gpu::Pipeline& PipelineStore::find(Route route, const std::vector<std::uint32_t>
 }
 
 RenderResult render(gpu::Context& context, const Scene& scene, const RenderOptions& options) {
-    const int width = options.width > 0 ? options.width : scene.imageWidth;
-    const int height = options.height > 0 ? options.height : scene.imageHeight;
+    const auto [width, height] = pictureSize(scene, options);
     const VkExtent2D extent{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
     RenderResult result;
 

@@ -44,6 +44,9 @@ struct RenderOptions {
     std::function<void(double)> progress;  ///< called with the part done, in (0, 1]
 };
 
+/// Width and height of the picture: what the options say, or else the scene.
+std::pair<int, int> pictureSize(const Scene& scene, const RenderOptions& options);
+
 /// One pass over the picture, in seconds of wall time. The first band of rows is told apart because drivers
 /// that compile at the first use do so there.
 struct PassTimes {

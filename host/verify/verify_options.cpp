@@ -10,6 +10,8 @@
 #include <cmath>
 
 #include "cli/method_option.hpp"
+#include "cli/option_text.hpp"
+#include "cli/program.hpp"
 #include "core/error.hpp"
 
 namespace raytorus::verify {
@@ -126,15 +128,8 @@ std::optional<VerifyOptions> parseOptions(const std::vector<std::string>& argume
         ->option_text("N [all]");
     options.device.program = programName;
     cli::addDeviceOptions(app, options.device);
-    std::vector<std::string> reversed(arguments.rbegin(),
-                                      arguments.rend());  // CLI11 takes them from the back
-    try {
-        app.parse(std::move(reversed));
-    } catch (const CLI::Success& success) {
-        app.exit(success);
+    if (!cli::parse(app, arguments)) {
         return std::nullopt;
-    } catch (const CLI::ParseError& error) {
-        throw Error(ExitCode::Usage, fmt::format("{} (see raytorus-verify --help)", error.what()));
     }
     for (const std::string& name : classes) {
         options.cells.classes.push_back(parseClass(name));
@@ -145,13 +140,7 @@ std::optional<VerifyOptions> parseOptions(const std::vector<std::string>& argume
     options.seedOfTheDay = seed.empty() || seed == "today";
     options.seed = options.seedOfTheDay ? seedOfToday() : parseSeed(seed);
     if (!replay.empty()) {
-        options.replay = reference::parseHexFloats(replay);
-        if (!options.replay) {
-            throw Error(
-                ExitCode::Usage,
-                fmt::format("--replay takes ten numbers: R r, origin, tMin, direction, tMax; not \"{}\"",
-                            replay));
-        }
+        options.replay = cli::replayOption(replay);
     }
     return options;
 }

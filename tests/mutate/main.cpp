@@ -62,15 +62,8 @@ std::optional<Options> parseOptions(const std::vector<std::string>& arguments) {
                    "Device by number, or by a part of its name or driver")
         ->option_text("NAME");
     app.add_flag("--validate", options.run.device.validate, "Run with the Vulkan validation layers");
-    std::vector<std::string> reversed(arguments.rbegin(),
-                                      arguments.rend());  // CLI11 takes them from the back
-    try {
-        app.parse(std::move(reversed));
-    } catch (const CLI::Success& success) {
-        app.exit(success);
+    if (!cli::parse(app, arguments)) {
         return std::nullopt;
-    } catch (const CLI::ParseError& error) {
-        throw Error(ExitCode::Usage, fmt::format("{} (see raytorus-mutate --help)", error.what()));
     }
     return options;
 }

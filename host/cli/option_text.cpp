@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "cli/option_text.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/number_text.hpp"
+#include "core/error.hpp"
+#include "render/scene.hpp"
+
+namespace raytorus::cli {
+
+std::pair<int, int> sizeOption(const std::string& text) {
+    const auto size = parseSize(text);
+    if (!size) {
+        throw Error(ExitCode::Usage, fmt::format("--size takes WIDTHxHEIGHT, each from 1 to {}, not \"{}\"",
+                                                 render::maxImageSize, text));
+    }
+    return *size;
+}
+
+reference::TorusAndRay replayOption(const std::string& text) {
+    const auto replay = reference::parseHexFloats(text);
+    if (!replay) {
+        throw Error(
+            ExitCode::Usage,
+            fmt::format("--replay takes ten numbers: R r, origin, tMin, direction, tMax; not \"{}\"", text));
+    }
+    return *replay;
+}
+
+}  // namespace raytorus::cli
