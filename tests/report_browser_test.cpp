@@ -128,11 +128,12 @@ const square = picture.querySelector('.mark').getBoundingClientRect();
 tell('mark', Math.round((square.left - box.left) / box.width * 48) + ' ' + Math.round((square.top - box.top) / box.height * 32));
 )js");
     EXPECT_EQ(dataOf(dom, "errors"), "(none)");
-    EXPECT_TRUE(std::regex_match(dataOf(dom, "worst"),
-                                 std::regex("raytorus explain scenes/far.json --pixel [0-9]+,[0-9]+")))
+    EXPECT_TRUE(
+        std::regex_match(dataOf(dom, "worst"),
+                         std::regex("raytorus explain --scene golden/scenes/far.json --pixel [0-9]+,[0-9]+")))
         << dataOf(dom, "worst");
-    EXPECT_EQ(dataOf(dom, "picked"), "raytorus explain scenes/far.json --pixel 3,30 (3, 30)");
-    EXPECT_EQ(dataOf(dom, "moved"), "raytorus explain scenes/far.json --pixel 0,30");
+    EXPECT_EQ(dataOf(dom, "picked"), "raytorus explain --scene golden/scenes/far.json --pixel 3,30 (3, 30)");
+    EXPECT_EQ(dataOf(dom, "moved"), "raytorus explain --scene golden/scenes/far.json --pixel 0,30");
     EXPECT_EQ(dataOf(dom, "mark"), "0 30");
 }
 

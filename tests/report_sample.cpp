@@ -113,9 +113,9 @@ image::ReportCase caseOf(Sample sample) {
     }
     reported.catches = std::move(sample.catches);
     reported.explainCommand =
-        fmt::format("raytorus explain scenes/{}.json --pixel {{x}},{{y}}", reported.name);
-    reported.rerunCommand = fmt::format("golden_tests --gtest_filter='*{}*'", reported.name);
-    reported.renewCommand = fmt::format("raytorus-golden renew {} --reason \"...\"", reported.name);
+        fmt::format("raytorus explain --scene golden/scenes/{}.json --pixel {{x}},{{y}}", reported.name);
+    reported.rerunCommand = fmt::format("raytorus golden check {}", reported.name);
+    reported.renewCommand = fmt::format("raytorus golden renew {} --reason \"...\"", reported.name);
     reported.seconds = 0.125;
     return reported;
 }
