@@ -115,7 +115,7 @@ TEST_F(Device, ImagesComeBackAsTheyWereCleared) {
         vkCmdClearColorImage(commands, image.get(), VK_IMAGE_LAYOUT_GENERAL, &color, 1, &all);
         gpu::imageBarrier(commands, image, clear, VK_IMAGE_LAYOUT_GENERAL, gpu::copyRead,
                           VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
-        gpu::copyOut(commands, image, buffer, 0);
+        gpu::copyOut(commands, image, image.extent(), buffer);
         gpu::bufferBarrier(commands, buffer, gpu::copyWrite, gpu::hostRead);
         timestamps.end(commands);
     });
@@ -152,7 +152,7 @@ TEST(Validation, MessagesReachTheLogAndTheResult) {
         gpu::check(vkAllocateCommandBuffers(context.device(), &info, &commands), "vkAllocateCommandBuffers");
         const VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
         gpu::check(vkBeginCommandBuffer(commands, &begin), "vkBeginCommandBuffer");
-        gpu::copyOut(commands, image, small, 0);
+        gpu::copyOut(commands, image, image.extent(), small);
     }
     ASSERT_FALSE(log->messages().empty());
     EXPECT_EQ(codeOf([&log] { log->requireEmpty(); }, "VUID-"), ExitCode::ValidationMessage);
@@ -168,8 +168,9 @@ TEST(Validation, SynchronizationIsChecked) {
     context.submit([&](VkCommandBuffer commands) {
         gpu::imageBarrier(commands, image, {}, VK_IMAGE_LAYOUT_UNDEFINED, gpu::copyRead,
                           VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
-        gpu::copyOut(commands, image, buffer, 0);
-        gpu::copyOut(commands, image, buffer, 0);  // writes what the first one writes, without a barrier
+        gpu::copyOut(commands, image, image.extent(), buffer);
+        gpu::copyOut(commands, image, image.extent(),
+                     buffer);  // writes what the first one writes, without a barrier
     });
     EXPECT_EQ(codeOf([&log] { log->requireEmpty(); }, "SYNC-HAZARD-WRITE"), ExitCode::ValidationMessage);
 }

@@ -65,12 +65,26 @@ void drawScreen(VkCommandBuffer commands, std::span<const Image> attachments, Vk
     vkCmdEndRendering(commands);
 }
 
-void copyOut(VkCommandBuffer commands, const Image& image, const Buffer& buffer, VkDeviceSize offset) {
+namespace {
+
+VkBufferImageCopy upperLeft(VkExtent2D extent) {
     VkBufferImageCopy region{};
-    region.bufferOffset = offset;
     region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-    region.imageExtent = {image.extent().width, image.extent().height, 1};
+    region.imageExtent = {extent.width, extent.height, 1};
+    return region;
+}
+
+}  // namespace
+
+void copyOut(VkCommandBuffer commands, const Image& image, VkExtent2D extent, const Buffer& buffer) {
+    const VkBufferImageCopy region = upperLeft(extent);
     vkCmdCopyImageToBuffer(commands, image.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.get(), 1,
+                           &region);
+}
+
+void copyIn(VkCommandBuffer commands, const Buffer& buffer, const Image& image, VkExtent2D extent) {
+    const VkBufferImageCopy region = upperLeft(extent);
+    vkCmdCopyBufferToImage(commands, buffer.get(), image.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
                            &region);
 }
 

@@ -20,6 +20,7 @@ struct Use {
 constexpr Use colorWrite{VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
                          VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT};
 constexpr Use shaderWrite{VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
+constexpr Use shaderRead{VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_READ_BIT};
 constexpr Use copyRead{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT};
 constexpr Use copyWrite{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
 constexpr Use hostRead{VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT};
@@ -35,8 +36,12 @@ void bufferBarrier(VkCommandBuffer commands, const Buffer& buffer, Use before, U
 /// extent and in VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL. What lies outside `area` is kept.
 void drawScreen(VkCommandBuffer commands, std::span<const Image> attachments, VkRect2D area);
 
-/// Copies a whole image, which is in VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to a buffer: rows from the top, no
-/// gaps.
-void copyOut(VkCommandBuffer commands, const Image& image, const Buffer& buffer, VkDeviceSize offset);
+/// Copies the upper left `extent` of an image, which is in VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to a buffer:
+/// rows from the top, no gaps.
+void copyOut(VkCommandBuffer commands, const Image& image, VkExtent2D extent, const Buffer& buffer);
+
+/// Copies such rows from a buffer to the upper left of an image, which is in
+/// VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL.
+void copyIn(VkCommandBuffer commands, const Buffer& buffer, const Image& image, VkExtent2D extent);
 
 }  // namespace raytorus::gpu

@@ -48,8 +48,8 @@ void PictureTargets::begin(VkCommandBuffer commands, gpu::Use use, VkImageLayout
     }
 }
 
-image::Image PictureTargets::readBack(gpu::Context& context, gpu::Use use, VkImageLayout layout) const {
-    const VkExtent2D extent = targets.front().extent();
+image::Image PictureTargets::readBack(gpu::Context& context, VkExtent2D extent, gpu::Use use,
+                                      VkImageLayout layout) const {
     const std::size_t pixels = std::size_t{extent.width} * extent.height;
     image::Image picture(static_cast<int>(extent.width), static_cast<int>(extent.height),
                          channelNames(targets.size() > 1));
@@ -61,7 +61,7 @@ image::Image PictureTargets::readBack(gpu::Context& context, gpu::Use use, VkIma
         context.submit([&](VkCommandBuffer commands) {
             gpu::imageBarrier(commands, targets[i], use, layout, gpu::copyRead,
                               VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
-            gpu::copyOut(commands, targets[i], buffer, 0);
+            gpu::copyOut(commands, targets[i], extent, buffer);
             gpu::bufferBarrier(commands, buffer, gpu::copyWrite, gpu::hostRead);
         });
         const std::span<const float> values = buffer.as<const float>();

@@ -19,9 +19,11 @@ public:
     /// Makes them ready to be drawn to or stored into, their contents undefined.
     void begin(VkCommandBuffer commands, gpu::Use use, VkImageLayout layout) const;
 
-    /// Copies them to the host after `use`. Channels: R G B A, and with the geometric pictures t, position.x
+    /// Copies their upper left `extent` to the host after `use` and leaves them in
+    /// VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL. Channels: R G B A, and with the geometric pictures t, position.x
     /// .y .z, normal.x .y .z, uv.u, uv.v, count, id. Where nothing is hit, id is -1 and the others are 0.
-    [[nodiscard]] image::Image readBack(gpu::Context& context, gpu::Use use, VkImageLayout layout) const;
+    [[nodiscard]] image::Image readBack(gpu::Context& context, VkExtent2D extent, gpu::Use use,
+                                        VkImageLayout layout) const;
 
 private:
     std::vector<gpu::Image> targets;

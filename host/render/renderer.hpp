@@ -4,33 +4,15 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "gpu/context.hpp"
-#include "gpu/pipeline.hpp"
 #include "image/image.hpp"
+#include "render/picture_drawing.hpp"
 #include "render/scene.hpp"
-#include "render/shader_source.hpp"
 
 namespace raytorus::render {
-
-enum class Route { Fragment, Compute };
-
-/// Pipelines kept from one picture to the next. Scenes with as many tori, lights and samples have the same,
-/// and a driver compiles each for longer than it draws a small picture. For one context, which must outlive
-/// it, and one ShaderSource.
-class PipelineStore {
-public:
-    /// The pipeline for these specialization constants; `make` is called where there is none yet.
-    gpu::Pipeline& find(Route route, const std::vector<std::uint32_t>& specialization,
-                        const std::function<gpu::Pipeline()>& make);
-
-private:
-    std::map<std::pair<Route, std::vector<std::uint32_t>>, gpu::Pipeline> pipelines;
-};
 
 struct RenderOptions {
     Route route = Route::Fragment;

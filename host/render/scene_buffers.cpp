@@ -96,8 +96,8 @@ SceneBuffers::Array SceneBuffers::upload(const gpu::Context& context, std::vecto
 }
 
 SceneBuffers::SceneBuffers(const gpu::Context& context, const Scene& scene, int width, int height) {
-    const scene_io::SceneFrame frameData = makeFrame(scene, width, height);
-    frame = gpu::makeBuffer(context, std::span(&frameData, 1), gpu::BufferUse::Uniform);
+    frame = gpu::Buffer(context, sizeof(scene_io::SceneFrame), gpu::BufferUse::Uniform);
+    setFrame(scene, width, height);
     const SceneStorage storage = storageFor(scene);
 
     std::vector<Box> boxes;
@@ -122,6 +122,10 @@ SceneBuffers::SceneBuffers(const gpu::Context& context, const Scene& scene, int 
         packed.push_back(makeMaterial(material));
     }
     materials = upload(context, std::move(packed), storage, SCENE_SMALL_MATERIALS);
+}
+
+void SceneBuffers::setFrame(const Scene& scene, int width, int height) {
+    frame.as<scene_io::SceneFrame>().front() = makeFrame(scene, width, height);
 }
 
 void SceneBuffers::bindTo(gpu::Pipeline& pipeline) const {

@@ -24,6 +24,9 @@ class SceneBuffers {
 public:
     SceneBuffers(const gpu::Context& context, const Scene& scene, int width, int height);
 
+    /// Another camera, lights or size; the tori stay.
+    void setFrame(const Scene& scene, int width, int height);
+
     void bindTo(gpu::Pipeline& pipeline) const;
 
 private:
