@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# raytorus_compile_shaders(<target> NAMESPACE <namespace> SOURCES <file>... [INTERSECTOR <file>])
+# raytorus_compile_shaders(<target> NAMESPACE <namespace> SOURCES <file>... [INTERSECTOR <file>]
+#                          [DEFINES <name>...])
 #
 # Compiles GLSL entry points to SPIR-V and embeds them: <target> is a static library whose header, <target>.hpp,
 # declares <namespace>::find(name), with the file's name as it stands in SOURCES, without its folder. The modules lie
@@ -9,12 +10,15 @@
 include_guard()
 
 function(raytorus_compile_shaders target)
-    cmake_parse_arguments(ARG "" "NAMESPACE;INTERSECTOR" "SOURCES" ${ARGN})
+    cmake_parse_arguments(ARG "" "NAMESPACE;INTERSECTOR" "SOURCES;DEFINES" ${ARGN})
     find_package(Vulkan REQUIRED COMPONENTS glslangValidator)  # imported targets belong to the calling folder
     set(embed "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/EmbedSpirv.cmake")
     set(folder "${CMAKE_CURRENT_BINARY_DIR}/${target}")
     file(MAKE_DIRECTORY "${folder}")
     set(options "-I${PROJECT_SOURCE_DIR}/shaders")
+    foreach(name IN LISTS ARG_DEFINES)
+        list(APPEND options "-D${name}")
+    endforeach()
     if(ARG_INTERSECTOR)
         cmake_path(ABSOLUTE_PATH ARG_INTERSECTOR OUTPUT_VARIABLE path)
         cmake_path(GET path PARENT_PATH include)

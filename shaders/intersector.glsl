@@ -5,6 +5,17 @@
 #ifndef INTERSECTOR_GLSL
 #define INTERSECTOR_GLSL
 
+// For looking at the cost of rays: RAY_STEPS is the number of steps of all loops since RAY_STEPS_BEGIN.
+#ifdef COUNT_STEPS
+int rayStepCount = 0;
+#define TORUS_ON_STEP rayStepCount += 1;
+#define RAY_STEPS_BEGIN rayStepCount = 0;
+#define RAY_STEPS float(rayStepCount)
+#else
+#define RAY_STEPS_BEGIN
+#define RAY_STEPS 0.0
+#endif
+
 #include "torus/torus.glsl"
 
 #ifdef OTHER_INTERSECTOR

@@ -15,7 +15,7 @@ struct ScenePixel {
     vec4 color;     // linear RGB, averaged over the samples; A = 1
     vec4 position;  // xyz: hit in world space, w: t. The ray through the middle of the pixel, as all that follows
     vec4 normal;    // xyz: unit, outward; w: number of surfaces the whole ray crosses
-    vec4 surface;   // xy: uv, z: index of the torus in the scene or -1, w: 0
+    vec4 surface;   // xy: uv, z: index of the torus in the scene or -1, w: RAY_STEPS
 };
 
 #define SCENE_T_MAX 3.0e38
@@ -131,14 +131,16 @@ ScenePixel scenePixel(uvec2 pixel) {
     result.color = vec4(mean, 1.0);
     if (sceneAovs) {
         SceneRay ray = sceneCameraRay(vec2(pixel) + 0.5);
+        RAY_STEPS_BEGIN
         SceneHit hit = sceneIntersect(ray, 0.0, SCENE_T_MAX);
+        result.surface.w = RAY_STEPS;
         if (hit.torus >= 0) {
             SceneTorus torus = sceneTorus(hit.torus);
             Torus shape = Torus(torus.radii.x, torus.radii.y);
             precise vec3 position = sceneFromTorus(torus, hit.position) + sceneOriginOf(torus);
             result.position = vec4(position, hit.t);
             result.normal = vec4(sceneFromTorus(torus, torusNormal(shape, hit.position)), 0.0);
-            result.surface = vec4(torusUv(shape, hit.position), float(torus.names.x), 0.0);
+            result.surface = vec4(torusUv(shape, hit.position), float(torus.names.x), result.surface.w);
         }
         result.normal.w = float(sceneCount(ray, 0.0, SCENE_T_MAX));
     }

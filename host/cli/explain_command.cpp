@@ -65,7 +65,7 @@ reference::TorusAndRay torusAndRay(const ExplainCommand& command, std::string& s
         return replayOption(command.replay);
     }
     if (!command.scene.empty()) {
-        const PixelRay found = pixelRay(command.scene, command.pixel, command.size);
+        const explain::PixelRay found = pixelRay(command.scene, command.pixel, command.size);
         sentence = found.sentence;
         return {found.torus, found.ray};
     }

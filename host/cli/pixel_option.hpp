@@ -4,21 +4,15 @@
 
 #include <string>
 
-#include "reference/torus_reference.hpp"
+#include "explain/pixel.hpp"
 
 namespace raytorus::cli {
-
-struct PixelRay {
-    reference::Torus torus;
-    reference::Ray ray;    ///< in the torus' frame, as the shaders have it
-    std::string sentence;  ///< which torus, and why this one
-};
 
 /// The ray through a pixel, and the torus that it hits first, or else the one that it passes nearest to.
 ///
 /// pixel      "X,Y", from the upper left corner
 /// size       "WIDTHxHEIGHT" instead of the scene's; may be empty
 /// Throws Error{Usage} for a pixel outside the picture, and what readScene throws.
-PixelRay pixelRay(const std::string& scenePath, const std::string& pixel, const std::string& size);
+explain::PixelRay pixelRay(const std::string& scenePath, const std::string& pixel, const std::string& size);
 
 }  // namespace raytorus::cli

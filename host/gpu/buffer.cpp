@@ -15,6 +15,8 @@ VkBufferUsageFlags usageOf(BufferUse use) {
     switch (use) {
         case BufferUse::Uniform:
             return VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT;
+        case BufferUse::Upload:
+            return VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
         case BufferUse::ReadBack:
             return VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
         case BufferUse::Storage:

@@ -15,6 +15,7 @@ namespace raytorus::gpu {
 enum class BufferUse {
     Storage,   ///< written and read by shaders; host-visible and filled by the host
     Uniform,   ///< read by shaders; host-visible and filled by the host
+    Upload,    ///< copied from by the device; host-visible and filled by the host
     ReadBack,  ///< copied to by the device, or written by shaders, and read by the host (cached memory)
 };
 

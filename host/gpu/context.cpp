@@ -41,7 +41,7 @@ Context::Context(const ContextOptions& options, std::shared_ptr<ValidationLog> m
     : log(std::move(messageLog)), timeoutSeconds(options.timeoutSeconds) {
     try {
         createInstance(options);
-        deviceInfo = pickDevice(listDevices(vkInstance), options.device);
+        deviceInfo = pickDevice(listDevices(vkInstance, options.deviceExtensions), options.device);
         createDevice(options);
         VkCommandPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
         poolInfo.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
@@ -151,15 +151,19 @@ void Context::submit(const std::function<void(VkCommandBuffer)>& record) {
     submission.commandBufferInfoCount = 1;
     submission.pCommandBufferInfos = &commands;
     check(vkQueueSubmit2(vkQueue, 1, &submission, fence.get()), "vkQueueSubmit2");
+    waitFor(fence);
+}
+
+void Context::waitFor(const Handle<VkFence, vkDestroyFence>& signalled) {
     const auto nanoseconds = static_cast<std::uint64_t>(std::ceil(timeoutSeconds * 1e9));
-    const VkResult waited = vkWaitForFences(device(), 1, fence.address(), VK_TRUE, nanoseconds);
+    const VkResult waited = vkWaitForFences(device(), 1, signalled.address(), VK_TRUE, nanoseconds);
     if (waited == VK_TIMEOUT) {
         deviceScope.abandoned = true;
         throw Error(ExitCode::DeviceLost, fmt::format("{} did not finish a piece of work within {} s",
                                                       deviceInfo.name, timeoutSeconds));
     }
     check(waited, "vkWaitForFences");
-    check(vkResetFences(device(), 1, fence.address()), "vkResetFences");
+    check(vkResetFences(device(), 1, signalled.address()), "vkResetFences");
 }
 
 Handle<VkDeviceMemory, vkFreeMemory> Context::allocate(const VkMemoryRequirements& requirements,

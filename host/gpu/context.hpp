@@ -40,6 +40,9 @@ public:
     /// Records commands, runs them and waits until they are done.
     void submit(const std::function<void(VkCommandBuffer)>& record);
 
+    /// Waits until the fence is signalled, for as long as one submission may take, and resets it.
+    void waitFor(const Handle<VkFence, vkDestroyFence>& signalled);
+
     /// Memory for an object, of a type with the wanted properties (or, if there is none, the required ones).
     [[nodiscard]] Handle<VkDeviceMemory, vkFreeMemory> allocate(const VkMemoryRequirements& requirements,
                                                                 VkMemoryPropertyFlags required,

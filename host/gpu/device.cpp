@@ -115,6 +115,26 @@ DeviceInfo describe(VkPhysicalDevice handle, std::uint32_t index) {
     return device;
 }
 
+void checkExtensions(DeviceInfo& device, std::span<const char* const> needed) {
+    if (needed.empty()) {
+        return;
+    }
+    std::uint32_t count = 0;
+    check(vkEnumerateDeviceExtensionProperties(device.handle, nullptr, &count, nullptr),
+          "vkEnumerateDeviceExtensionProperties");
+    std::vector<VkExtensionProperties> offered(count);
+    check(vkEnumerateDeviceExtensionProperties(device.handle, nullptr, &count, offered.data()),
+          "vkEnumerateDeviceExtensionProperties");
+    for (const std::string_view name : needed) {
+        const bool found =
+            std::any_of(offered.begin(), offered.end(),
+                        [name](const VkExtensionProperties& e) { return name == e.extensionName; });
+        if (!found) {
+            device.refusals.push_back(fmt::format("it lacks {}", name));
+        }
+    }
+}
+
 std::string refusalText(const std::vector<DeviceInfo>& devices) {
     std::string text;
     for (const DeviceInfo& device : devices) {
@@ -140,7 +160,7 @@ std::string versionText(std::uint32_t version) {
                        VK_API_VERSION_PATCH(version));
 }
 
-std::vector<DeviceInfo> listDevices(VkInstance instance) {
+std::vector<DeviceInfo> listDevices(VkInstance instance, std::span<const char* const> needed) {
     std::uint32_t count = 0;
     check(vkEnumeratePhysicalDevices(instance, &count, nullptr), "vkEnumeratePhysicalDevices");
     std::vector<VkPhysicalDevice> handles(count);
@@ -149,6 +169,7 @@ std::vector<DeviceInfo> listDevices(VkInstance instance) {
     devices.reserve(count);
     for (std::uint32_t i = 0; i < count; ++i) {
         devices.push_back(describe(handles[i], i));
+        checkExtensions(devices.back(), needed);
     }
     return devices;
 }

@@ -5,6 +5,7 @@
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,8 @@ struct DeviceInfo {
 /// "1.3.230".
 std::string versionText(std::uint32_t version);
 
-/// Every physical device of the instance, suitable or not.
-std::vector<DeviceInfo> listDevices(VkInstance instance);
+/// Every physical device of the instance, suitable or not. One that lacks an extension of `needed` is not.
+std::vector<DeviceInfo> listDevices(VkInstance instance, std::span<const char* const> needed = {});
 
 /// Picks a device. `selector` is empty (the best: discrete before integrated before virtual before CPU, then
 /// the loader's order), an index, or part of a name or of the driver's name or version, whatever the case.

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
-
 namespace raytorus::gpu {
 
 std::string_view resultName(VkResult result) {
@@ -39,6 +37,14 @@ std::string_view resultName(VkResult result) {
             return "VK_ERROR_INVALID_SHADER_NV";
         case VK_ERROR_UNKNOWN:
             return "VK_ERROR_UNKNOWN";
+        case VK_SUBOPTIMAL_KHR:
+            return "VK_SUBOPTIMAL_KHR";
+        case VK_ERROR_OUT_OF_DATE_KHR:
+            return "VK_ERROR_OUT_OF_DATE_KHR";
+        case VK_ERROR_SURFACE_LOST_KHR:
+            return "VK_ERROR_SURFACE_LOST_KHR";
+        case VK_ERROR_NATIVE_WINDOW_IN_USE_KHR:
+            return "VK_ERROR_NATIVE_WINDOW_IN_USE_KHR";
         default:
             return "an unnamed VkResult";
     }
@@ -57,6 +63,8 @@ void check(VkResult result, std::string_view call) {
             break;
         case VK_TIMEOUT:
         case VK_ERROR_DEVICE_LOST:
+        case VK_ERROR_SURFACE_LOST_KHR:
+        case VK_ERROR_OUT_OF_DATE_KHR:
             code = ExitCode::DeviceLost;
             break;
         case VK_ERROR_INITIALIZATION_FAILED:
@@ -64,6 +72,7 @@ void check(VkResult result, std::string_view call) {
         case VK_ERROR_EXTENSION_NOT_PRESENT:
         case VK_ERROR_FEATURE_NOT_PRESENT:
         case VK_ERROR_INCOMPATIBLE_DRIVER:
+        case VK_ERROR_NATIVE_WINDOW_IN_USE_KHR:
             code = ExitCode::NoDevice;
             break;
         case VK_ERROR_INVALID_SHADER_NV:
@@ -72,7 +81,8 @@ void check(VkResult result, std::string_view call) {
         default:
             break;
     }
-    throw Error(code, fmt::format("{} failed: {} ({})", call, resultName(result), static_cast<int>(result)));
+    throw ResultError(
+        code, fmt::format("{} failed: {} ({})", call, resultName(result), static_cast<int>(result)), result);
 }
 
 }  // namespace raytorus::gpu

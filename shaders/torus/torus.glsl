@@ -59,6 +59,7 @@ TorusHit torus_hit(torus_Line line, float u, bool rising, float tMin, float tMax
     TORUS_PRECISE float step = 0.0;
     bool again = true;
     for (int i = 0; i < TORUS_LAST_STEPS && again; ++i) {
+        TORUS_ON_STEP
         at = at + step;
         point = torus_exactPoint(line, at);
         TORUS_PRECISE float slope = rising ? point.halfSlope : -point.halfSlope;

@@ -18,6 +18,11 @@
 
 #include "line.glsl"
 
+// A statement for each step of each loop, for counting them: empty unless defined before.
+#ifndef TORUS_ON_STEP
+#define TORUS_ON_STEP
+#endif
+
 // Steps to an extremum. Newton halves the error of a nearly double root of g (where minimum and maximum merge, and G
 // is as flat as a quartic at its extremum): 16 halvings leave a dip of (2^-16)^4 unseen, far below the rounding of G.
 #define TORUS_EXTREMUM_STEPS 16
@@ -173,6 +178,7 @@ torus_Extrema torus_extrema(torus_Line line) {
     TORUS_PRECISE float enough = TORUS_EXTREMUM_STEP * line.minorRadius;
     bool busy = true;
     for (int i = 0; i < TORUS_EXTREMUM_STEPS && busy; ++i) {
+        TORUS_ON_STEP
         // g / g' = (dd u rho - R s) rho^2 / (dd rho^3 - R rho'' rho^3), s = rho rho' = n u + m
         TORUS_PRECISE float sLeft = n * left + m;
         TORUS_PRECISE float square = max((sLeft + m) * left + rho2, 1.0e-20);
@@ -216,6 +222,7 @@ torus_Extrema torus_extrema(torus_Line line) {
     // One loop for both: drivers that run the untaken side of branches run the long exact step but once.
     int steps = 0;
     for (int i = 0; i < 2 * TORUS_SETTLE_STEPS && (leftBusy || rightBusy); ++i) {
+        TORUS_ON_STEP
         bool atLeft = leftBusy;
         float at = atLeft ? leftAt : rightAt;
         float value = 0.0;
@@ -256,6 +263,7 @@ float torus_maximum(torus_Line line, torus_Extrema extrema, bool wanted, out flo
     TORUS_PRECISE float flatness = -1.0;
     bool busy = wanted;
     for (int i = 0; i < TORUS_EXTREMUM_STEPS && busy; ++i) {
+        TORUS_ON_STEP
         TORUS_PRECISE float q = u - extrema.axis;
         TORUS_PRECISE float s = n * q;
         TORUS_PRECISE float square = nearest2 + s * q;
@@ -276,6 +284,7 @@ float torus_maximum(torus_Line line, torus_Extrema extrema, bool wanted, out flo
     value = wanted ? torus_tube(line, u, slope) : 1.0;
     busy = wanted && torus_doubtful(line, value, slope, flatness);
     for (int i = 1; i <= TORUS_SETTLE_STEPS && busy; ++i) {
+        TORUS_ON_STEP
         busy = torus_settle(line, flatness, i == TORUS_SETTLE_STEPS, u, value);
     }
     // A maximum that is not between the minima is none: a pair of extrema has merged, and Newton was left with a place
@@ -295,6 +304,7 @@ float torus_root(torus_Line line, float lower, float upper, bool rising, float s
     TORUS_PRECISE float noise = TORUS_ROOT_VALUE * line.minorRadius * (line.majorRadius + line.minorRadius);
     bool busy = wanted;
     for (int i = 0; i < TORUS_ROOT_STEPS && busy; ++i) {
+        TORUS_ON_STEP
         float slope;
         TORUS_PRECISE float value = torus_tube(line, u, slope);
         bool tooFar = rising == (value > 0.0);

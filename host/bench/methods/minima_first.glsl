@@ -47,6 +47,7 @@ float minimaFirstCubic(float p, float q, float enough, bool wanted) {
     TORUS_PRECISE float u = p < 0.0 ? root - p / (3.0 * root) : min(root, size / max(p, 1.0e-15));
     bool busy = wanted;
     for (int i = 0; i < MINIMA_CUBIC_STEPS && busy; ++i) {
+        TORUS_ON_STEP
         TORUS_PRECISE float step = ((u * u + p) * u - size) / (3.0 * u * u + p);
         u = u - step;
         busy = abs(step) > enough;
@@ -115,6 +116,7 @@ float minimaFirstRun(ReducedQuartic f, float near, float far, float start, bool 
     bool rising = far > near;
     bool busy = wanted;
     for (int i = 0; i < QUARTIC_ROOT_STEPS && busy; ++i) {
+        TORUS_ON_STEP
         TORUS_PRECISE float slope = quarticSlope(f, u);
         TORUS_PRECISE float step = -quarticValue(f, u) / slope;
         TORUS_PRECISE float next = (rising ? slope > 0.0 : slope < 0.0) ? clamp(u + step, lo, hi) : far;

@@ -45,6 +45,7 @@ bool newtonQuarticRun(ReducedQuartic f, float sign, float start, float limit, bo
     bool found = false;
     bool busy = wanted;
     for (int i = 0; i < QUARTIC_ROOT_STEPS && busy; ++i) {
+        TORUS_ON_STEP
         TORUS_PRECISE float value = sign * quarticValue(f, at);
         TORUS_PRECISE float slope = sign * quarticSlope(f, at);
         bool falls = rightwards ? slope < 0.0 : slope > 0.0;

@@ -52,6 +52,7 @@ bool sphereTracingPrepare(Torus torus, vec3 origin, float tMin, vec3 direction, 
 bool sphereTracingMarch(Torus torus, SphereTracing ray, inout float s) {
     float near = SPHERE_TRACING_NEAR * torus.minorRadius;
     for (int i = 0; i < SPHERE_TRACING_STEPS && s <= ray.extent; ++i) {
+        TORUS_ON_STEP
         float distance = ray.side * torusDistance(torus, ray.base + s * ray.direction);
         if (distance < near) {
             return true;

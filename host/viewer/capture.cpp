@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/capture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "image/image_io.hpp"
+#include "image/srgb.hpp"
+
+namespace raytorus::viewer {
+
+std::filesystem::path freeName(const std::filesystem::path& folder, const std::string& stem,
+                               const std::string& extension) {
+    for (int number = 1; number < 100000; ++number) {
+        std::filesystem::path path = folder / fmt::format("{}-{:03}{}", stem, number, extension);
+        std::error_code ignored;
+        if (!std::filesystem::exists(path, ignored)) {
+            return path;
+        }
+    }
+    throw Error(ExitCode::File, fmt::format("{}: every number up to 99999 is taken",
+                                            (folder / (stem + "-..." + extension)).string()));
+}
+
+void writeDisplayed(const std::filesystem::path& path, image::Image displayed) {
+    for (float& value : displayed.pixels) {
+        const long stored = std::lround(std::clamp(value, 0.0F, 1.0F) * 255.0F);
+        value = image::decodeSrgb(static_cast<std::uint8_t>(stored));
+    }
+    image::writeImage(path, displayed);
+}
+
+}  // namespace raytorus::viewer

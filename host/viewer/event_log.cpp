@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/event_log.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+namespace raytorus::viewer {
+
+void EventLog::write(std::string_view name, std::initializer_list<Field> fields) const {
+    if (!on) {
+        return;
+    }
+    nlohmann::ordered_json line;
+    line["event"] = name;
+    for (const auto& [key, value] : fields) {
+        std::visit([&line, name = std::string(key)](const auto& item) { line[name] = item; }, value);
+    }
+    fmt::print("{}\n", line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    std::fflush(stdout);
+}
+
+}  // namespace raytorus::viewer

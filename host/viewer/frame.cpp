@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/frame.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raytorus::viewer {
+namespace {
+
+constexpr VkImageSubresourceRange wholeImage{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+
+void barrier(VkCommandBuffer commands, VkImage image, VkPipelineStageFlags2 before, VkAccessFlags2 written,
+             VkImageLayout oldLayout, VkPipelineStageFlags2 after, VkAccessFlags2 used,
+             VkImageLayout newLayout) {
+    VkImageMemoryBarrier2 change{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
+    change.srcStageMask = before;
+    change.srcAccessMask = written;
+    change.dstStageMask = after;
+    change.dstAccessMask = used;
+    change.oldLayout = oldLayout;
+    change.newLayout = newLayout;
+    change.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    change.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    change.image = image;
+    change.subresourceRange = wholeImage;
+    VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    dependency.imageMemoryBarrierCount = 1;
+    dependency.pImageMemoryBarriers = &change;
+    vkCmdPipelineBarrier2(commands, &dependency);
+}
+
+void blit(VkCommandBuffer commands, const FramePicture& picture, const FrameTarget& target) {
+    const VkRect2D place =
+        picture.fills ? VkRect2D{{0, 0}, target.extent} : placeOf(picture.extent, target.extent);
+    VkImageBlit region{};
+    region.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    region.srcOffsets[1] = {static_cast<std::int32_t>(picture.extent.width),
+                            static_cast<std::int32_t>(picture.extent.height), 1};
+    region.dstSubresource = region.srcSubresource;
+    region.dstOffsets[0] = {place.offset.x, place.offset.y, 0};
+    region.dstOffsets[1] = {place.offset.x + static_cast<std::int32_t>(place.extent.width),
+                            place.offset.y + static_cast<std::int32_t>(place.extent.height), 1};
+    vkCmdBlitImage(commands, picture.image->get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target.image,
+                   VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region,
+                   picture.fills ? VK_FILTER_LINEAR : VK_FILTER_NEAREST);
+}
+
+}  // namespace
+
+VkRect2D placeOf(VkExtent2D picture, VkExtent2D window) {
+    const double scale = std::min(static_cast<double>(window.width) / picture.width,
+                                  static_cast<double>(window.height) / picture.height);
+    const auto side = [scale](std::uint32_t pixels, std::uint32_t most) {
+        return std::clamp(static_cast<std::uint32_t>(std::lround(scale * pixels)), 1U, most);
+    };
+    const VkExtent2D extent{side(picture.width, window.width), side(picture.height, window.height)};
+    return {{static_cast<std::int32_t>((window.width - extent.width) / 2),
+             static_cast<std::int32_t>((window.height - extent.height) / 2)},
+            extent};
+}
+
+FrameCopy::FrameCopy(const gpu::Context& context, VkExtent2D size)
+    : extent(size), buffer(context, VkDeviceSize{4} * size.width * size.height, gpu::BufferUse::ReadBack) {}
+
+void FrameCopy::record(VkCommandBuffer commands, VkImage image) const {
+    VkBufferImageCopy region{};
+    region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    region.imageExtent = {extent.width, extent.height, 1};
+    vkCmdCopyImageToBuffer(commands, image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.get(), 1, &region);
+}
+
+image::Image FrameCopy::picture(VkFormat format) const {
+    const bool blueFirst = format == VK_FORMAT_B8G8R8A8_UNORM || format == VK_FORMAT_B8G8R8A8_SRGB;
+    image::Image result(static_cast<int>(extent.width), static_cast<int>(extent.height), {"R", "G", "B"});
+    const std::span<const std::uint8_t> bytes = buffer.as<const std::uint8_t>();
+    for (std::size_t i = 0; i < result.pixels.size() / 3; ++i) {
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            const std::size_t from = blueFirst ? 2 - channel : channel;
+            result.pixels[3 * i + channel] = static_cast<float>(bytes[4 * i + from]) / 255.0F;
+        }
+    }
+    return result;
+}
+
+void recordFrame(VkCommandBuffer commands, const FrameTarget& target, const FramePicture& picture,
+                 const Gui& gui, VkRenderPass pass, const FrameCopy* copy) {
+    barrier(commands, target.image, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_NONE,
+            VK_IMAGE_LAYOUT_UNDEFINED, VK_PIPELINE_STAGE_2_CLEAR_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+            VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+    const VkClearColorValue dark{{0.03F, 0.03F, 0.035F, 1.0F}};
+    vkCmdClearColorImage(commands, target.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &dark, 1, &wholeImage);
+    if (picture.image != nullptr) {
+        barrier(commands, target.image, VK_PIPELINE_STAGE_2_CLEAR_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_PIPELINE_STAGE_2_BLIT_BIT,
+                VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+        blit(commands, picture, target);
+    }
+    barrier(commands, target.image, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+            VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+            VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
+            VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
+    gui.draw(commands, pass, target);
+    VkImageLayout layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    VkPipelineStageFlags2 stage = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
+    VkAccessFlags2 access = VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT;
+    if (copy != nullptr) {
+        barrier(commands, target.image, stage, access, layout, VK_PIPELINE_STAGE_2_COPY_BIT,
+                VK_ACCESS_2_TRANSFER_READ_BIT, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+        copy->record(commands, target.image);
+        layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+        stage = VK_PIPELINE_STAGE_2_COPY_BIT;
+        access = VK_ACCESS_2_NONE;
+    }
+    barrier(commands, target.image, stage, access, layout, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+            VK_ACCESS_2_NONE, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR);
+}
+
+}  // namespace raytorus::viewer

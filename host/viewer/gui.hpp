@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Dear ImGui on the window: its set-up, its fonts, its frames. What is drawn with it is said elsewhere.
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include "gpu/context.hpp"
+#include "viewer/swapchain.hpp"
+#include "viewer/window.hpp"
+
+struct ImFont;
+
+namespace raytorus::viewer {
+
+/// For text in columns. Between Gui::begin() and Gui::end().
+ImFont* monospacedFont();
+
+class Gui {
+public:
+    /// After the window's own callbacks are set: ImGui calls those first.
+    Gui(gpu::Context& context, const Window& window, const Swapchain& swapchain);
+    Gui(const Gui&) = delete;
+    Gui& operator=(const Gui&) = delete;
+    ~Gui();
+
+    /// Between these two, ImGui's functions may be called.
+    void begin();
+    void end();
+
+    /// What was drawn between the last begin() and end(), over a frame in
+    /// VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL.
+    void draw(VkCommandBuffer commands, VkRenderPass pass, const FrameTarget& target) const;
+
+    /// Whether the pointer is on a panel, and whether a text field takes the keys.
+    [[nodiscard]] bool takesPointer() const;
+    [[nodiscard]] bool takesKeys() const;
+
+private:
+    gpu::Handle<VkDescriptorPool, vkDestroyDescriptorPool> pool;
+    VkDevice device;
+};
+
+}  // namespace raytorus::viewer

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/method_list.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "bench/methods/methods.hpp"
+#include "core/error.hpp"
+#include "raytorus_steps_minima_first.hpp"
+#include "raytorus_steps_newton_quartic.hpp"
+#include "raytorus_steps_raytorus.hpp"
+#include "raytorus_steps_sphere_tracing.hpp"
+
+namespace raytorus::viewer {
+namespace {
+
+struct StepShaders {
+    std::string_view method;
+    render::ShaderSource::Find find;
+};
+
+constexpr std::array<StepShaders, 4> stepShaders = {{
+    {"raytorus", steps_raytorus::find},
+    {"newton-quartic", steps_newton_quartic::find},
+    {"minima-first", steps_minima_first::find},
+    {"sphere-tracing", steps_sphere_tracing::find},
+}};
+
+}  // namespace
+
+std::vector<MethodEntry> builtInMethods() {
+    std::vector<MethodEntry> list;
+    for (const Method& method : methods()) {
+        const auto found = std::ranges::find(stepShaders, method.name, &StepShaders::method);
+        const bool counts = found != stepShaders.end();
+        list.push_back({method.name, method.description, method.shaders,
+                        counts ? render::ShaderSource(found->find) : method.shaders, counts,
+                        static_cast<int>(list.size())});
+    }
+    return list;
+}
+
+std::size_t indexOf(const std::vector<MethodEntry>& methods, const std::string& name) {
+    const auto found = std::ranges::find(methods, name, &MethodEntry::name);
+    if (found == methods.end()) {
+        std::string names;
+        for (const MethodEntry& method : methods) {
+            names += (names.empty() ? "" : " ") + method.name;
+        }
+        throw Error(ExitCode::Usage, fmt::format("there is no method \"{}\"; there are: {}", name, names));
+    }
+    return static_cast<std::size_t>(found - methods.begin());
+}
+
+}  // namespace raytorus::viewer

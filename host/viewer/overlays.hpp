@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// What lies over the picture: the help, a pixel taken apart, an error of the edited shaders, a short message,
+// the line of the wipe.
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include "viewer/method_list.hpp"
+#include "viewer/state.hpp"
+
+namespace raytorus::viewer {
+
+/// picture: where in the window the picture is. now: the loop's clock.
+void drawOverlays(State& state, const std::vector<MethodEntry>& methods, VkRect2D picture, double now);
+
+}  // namespace raytorus::viewer

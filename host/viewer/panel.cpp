@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/panel.hpp"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "viewer/legend.hpp"
+
+namespace raytorus::viewer {
+namespace {
+
+void tip(const char* text) {
+    if (ImGui::IsItemHovered()) {
+        ImGui::BeginTooltip();
+        ImGui::PushTextWrapPos(24.0F * ImGui::GetFontSize());
+        ImGui::TextUnformatted(text);
+        ImGui::PopTextWrapPos();
+        ImGui::EndTooltip();
+    }
+}
+
+void chooseView(State& state) {
+    if (ImGui::BeginCombo("View", infoOf(state.view).title)) {
+        for (const ViewInfo& info : views()) {
+            if (ImGui::Selectable(info.title, info.view == state.view)) {
+                state.view = info.view;
+            }
+            tip(info.description);
+        }
+        ImGui::EndCombo();
+    }
+    tip(infoOf(state.view).description);
+    if (state.view == View::Steps) {
+        ImGui::SliderInt("Most steps", &state.mostSteps, 4, 256, "%d", ImGuiSliderFlags_Logarithmic);
+    }
+    drawLegend(state);
+}
+
+void chooseSide(const char* label, Side& side, const std::vector<MethodEntry>& methods) {
+    ImGui::PushID(label);
+    if (ImGui::BeginCombo(label, methods[side.method].name.c_str())) {
+        for (std::size_t i = 0; i < methods.size(); ++i) {
+            if (ImGui::Selectable(methods[i].name.c_str(), i == side.method)) {
+                side.method = i;
+            }
+            tip(methods[i].description.c_str());
+        }
+        ImGui::EndCombo();
+    }
+    tip(methods[side.method].description.c_str());
+    int route = side.route == render::Route::Fragment ? 0 : 1;
+    ImGui::RadioButton("fragment", &route, 0);
+    ImGui::SameLine();
+    ImGui::RadioButton("compute", &route, 1);
+    side.route = route == 0 ? render::Route::Fragment : render::Route::Compute;
+    ImGui::PopID();
+}
+
+void chooseMethods(State& state, const std::vector<MethodEntry>& methods) {
+    chooseSide("Method", state.left, methods);
+    ImGui::Checkbox("Wipe (W)", &state.wipe);
+    if (state.wipe) {
+        chooseSide("Right", state.right, methods);
+        auto at = static_cast<float>(state.wipeAt);
+        if (ImGui::SliderFloat("Wipe at", &at, 0.0F, 1.0F, "%.2f")) {
+            state.wipeAt = static_cast<double>(at);
+        }
+    }
+}
+
+void chooseTime(State& state) {
+    Animation& animation = state.animation;
+    if (ImGui::Button(animation.playing ? "Pause" : "Play")) {
+        animation.playing = !animation.playing;
+    }
+    ImGui::SameLine();
+    if (ImGui::Button("Begin")) {
+        animation.seconds = 0.0;
+    }
+    ImGui::SameLine();
+    ImGui::Text("%.2f s", animation.seconds);
+    const double least = 1.0 / 64.0;
+    const double most = 64.0;
+    ImGui::SliderScalar("Speed", ImGuiDataType_Double, &animation.speed, &least, &most, "%.3g x",
+                        ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+}
+
+void showStatistics(const State& state, const PanelInfo& info) {
+    const Statistics& shown = state.statistics;
+    ImGui::Text("%u x %u, %d sample%s a pixel", shown.extent.width, shown.extent.height, shown.samples,
+                shown.samples == 1 ? "" : "s");
+    ImGui::Text("%.1f frames a second", shown.framesPerSecond);
+    const double rays = static_cast<double>(shown.extent.width) * shown.extent.height * shown.samples;
+    ImGui::Text("picture: %.2f ms, on the device %.2f ms", 1e3 * shown.drawSeconds,
+                1e3 * shown.deviceSeconds);
+    if (shown.drawSeconds > 0.0) {
+        ImGui::Text("%.1f million camera rays a second", 1e-6 * rays / shown.drawSeconds);
+    }
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(info.device.c_str());
+    if (needsAnalysis(state.view) && state.view != View::Golden) {
+        ImGui::Text("reference: %.0f %% of the pixels, %lld wrong, largest difference %.3g roundings",
+                    100.0 * shown.analysed, shown.wrongPixels, shown.largestError);
+    }
+    if (state.view == View::Golden && !state.goldenSentence.empty()) {
+        ImGui::Text("%s", state.goldenSentence.c_str());
+    }
+    ImGui::PopTextWrapPos();
+}
+
+}  // namespace
+
+void drawPanel(State& state, const PanelInfo& info) {
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const float width = 21.0F * ImGui::GetFontSize();
+    ImGui::SetNextWindowPos({size.x - 8.0F, 8.0F}, ImGuiCond_Always, {1.0F, 0.0F});
+    ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, size.y - 16.0F});
+    if (state.panelFocusRequest) {
+        state.panelFocusRequest = false;
+        ImGui::SetNextWindowFocus();
+    }
+    if (ImGui::Begin(
+            "raytorus", nullptr,
+            ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings)) {
+        ImGui::PushItemWidth(0.62F * ImGui::GetContentRegionAvail().x);
+        chooseView(state);
+        ImGui::Separator();
+        chooseMethods(state, *info.methods);
+        int samples = state.samplesPerSide;
+        const std::string text = fmt::format("{} a pixel", samples * samples);
+        if (ImGui::SliderInt("Samples", &samples, 1, 16, text.c_str(), ImGuiSliderFlags_AlwaysClamp)) {
+            state.samplesPerSide = samples;
+        }
+        if (info.animated) {
+            ImGui::Separator();
+            chooseTime(state);
+        }
+        ImGui::Separator();
+        showStatistics(state, info);
+        ImGui::Separator();
+        drawScenePanel(state);
+        ImGui::Separator();
+        ImGui::TextDisabled("H: keys   Tab: this panel   click: a pixel");
+        ImGui::PopItemWidth();
+    }
+    ImGui::End();
+}
+
+}  // namespace raytorus::viewer

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// A pixel of the window taken apart.
+#pragma once
+
+#include "gpu/context.hpp"
+#include "render/shader_source.hpp"
+#include "viewer/state.hpp"
+
+namespace raytorus::viewer {
+
+/// scene: as it is shown. extent: of the picture that x and y count in.
+Pick pickPixel(gpu::Context& context, const render::Scene& scene, VkExtent2D extent, int x, int y,
+               const render::ShaderSource& shaders);
+
+}  // namespace raytorus::viewer

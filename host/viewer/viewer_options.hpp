@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// The command line of raytorus-view.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/device_options.hpp"
+#include "render/picture_drawing.hpp"
+#include "viewer/view_list.hpp"
+
+namespace raytorus::viewer {
+
+inline constexpr const char* programName = "raytorus-view";
+
+struct ViewerOptions {
+    std::string scene;
+    int width = 0;  ///< of the window, in its own units; 0: the scene's picture
+    int height = 0;
+    View view = View::Shaded;
+    std::string method = "raytorus";
+    render::Route route = render::Route::Fragment;
+    std::string wipeMethod;  ///< empty: no wipe
+    double wipeAt = 0.5;
+    int samplesPerSide = 2;
+    std::string golden;
+    double time = 0.0;
+    bool paused = false;
+    bool panel = true;
+    bool help = false;
+    std::optional<std::pair<int, int>> pick;
+    int frames = 0;  ///< 0: until the window is closed
+    std::string screenshot;
+    std::string windowScreenshot;
+    bool events = false;
+    cli::DeviceOptions device;
+};
+
+/// Nothing where --help, --version or a list has been answered. Throws Error{Usage}.
+std::optional<ViewerOptions> parseOptions(const std::vector<std::string>& arguments);
+
+}  // namespace raytorus::viewer
