@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// GLSL for Vulkan 1.3 to SPIR-V, in this process: the same words as glslangValidator --target-env vulkan1.3
+// of the same version gives, in some 10 ms (the first time a tenth of a second, for glslang's tables).
+//
+//     const CompiledShader shader = compileShader({"shaders/scene.frag", {"shaders"}, {}, {}});
+//     if (!shader.ok()) show(describe(shader.errors.front()));
+//     watch.watch(shader.files);
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "compile/glslang_log.hpp"
+#include "compile/include_search.hpp"
+
+namespace raytorus::compile {
+
+struct Define {
+    std::string name;
+    std::string value;  ///< may be empty; one line
+};
+
+struct ShaderRequest {
+    /// Its extension says the stage: .vert, .frag or .comp. It may lie outside the roots.
+    std::filesystem::path entry;
+    /// Where #include looks after the folders of the including files, in this order. The first one is the
+    /// shader folder, to which names in errors are relative. Only what lies in these folders, or in the
+    /// entry's, may be included, whatever "..", absolute paths and symbolic links say.
+    std::vector<std::filesystem::path> roots;
+    std::vector<Define> defines;
+    std::vector<VirtualInclude> virtualIncludes;
+};
+
+struct CompiledShader {
+    std::vector<std::uint32_t> words;  ///< SPIR-V 1.6; empty if there are errors
+    std::vector<CompileError> errors;  ///< the first is the one to show: others may follow from it
+    /// Every file that was read, or looked for and not found, as it was then, errors or not: until one of
+    /// these changes, the result stays the same. The entry is the first.
+    std::vector<FileState> files;
+
+    [[nodiscard]] bool ok() const { return errors.empty(); }
+};
+
+/// Any fault of the request or of a file is in the result's errors; only a lack of memory is thrown. May be
+/// called from any thread; calls at the same time wait for one another. No file damages the process: files
+/// and what they include are limited to 1 MiB together and 64 levels, and glslang runs on a stack measured
+/// for that. Not covered are sources that are written to exhaust glslang: macros and structures that double
+/// themselves some thirty times.
+[[nodiscard]] CompiledShader compileShader(const ShaderRequest& request);
+
+/// "torus/torus.glsl:12: 'x' : undeclared identifier".
+[[nodiscard]] std::string describe(const CompileError& error);
+
+}  // namespace raytorus::compile
