@@ -8,5 +8,6 @@ raytorus_add_tests(compile_tests
         compile_include_test.cpp
         compile_mutation_test.cpp
         directives_test.cpp
+        file_watch_test.cpp
         shader_folder.cpp
     LIBRARIES raytorus::compile raytorus::methods raytorus_shaders)
