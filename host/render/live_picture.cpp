@@ -42,7 +42,7 @@ void LivePicture::setShaders(const Scene& scene, const ShaderSource& newShaders,
     const SceneBuffers probe(*context, scene, 1, 1);
     const PictureDrawing attempt(*context, store, scene, probe, images->all, {1, 1},
                                  {newRoute, 1, newShaders});
-    current.reset();
+    abandon();
     pipelines = std::move(store);
     shaders = newShaders;
     route = newRoute;
@@ -52,12 +52,16 @@ const PictureTargets& LivePicture::targetsOf(const LiveRequest& wanted) const {
     return wanted.aovs ? images->all : images->color;
 }
 
-void LivePicture::begin(const Scene& scene, const LiveRequest& wanted, bool sameTori) {
+void LivePicture::abandon() {
     if (current) {
         current.reset();
         // What was begun is in the layout of the route, or of nothing yet.
         makeReadable(*context, targetsOf(request), {}, VK_IMAGE_LAYOUT_UNDEFINED);
     }
+}
+
+void LivePicture::begin(const Scene& scene, const LiveRequest& wanted, bool sameTori) {
+    abandon();
     const auto width = static_cast<int>(wanted.extent.width);
     const auto height = static_cast<int>(wanted.extent.height);
     if (buffers && sameTori) {

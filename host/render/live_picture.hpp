@@ -63,6 +63,7 @@ private:
     };
 
     [[nodiscard]] const PictureTargets& targetsOf(const LiveRequest& request) const;
+    void abandon();
     image::Image readBack(const PictureTargets& targets, VkExtent2D extent);
 
     gpu::Context* context;

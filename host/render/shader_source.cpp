@@ -17,6 +17,10 @@ std::vector<std::uint32_t> ShaderSource::load(const std::string& name) const {
         if (replacements != nullptr) {
             words = replacements(name);
         }
+        if (modules != nullptr) {
+            const auto found = modules->find(name);
+            words = found != modules->end() ? std::span<const std::uint32_t>(found->second) : words;
+        }
         if (words.empty()) {
             words = shaders::find(name);
         }

@@ -249,17 +249,13 @@ void Analysis::work(const PixelJudge& judge, const image::Image& picture) {
     news = true;
 }
 
-Analysis::Progress Analysis::progress() const {
-    const std::scoped_lock lock(mutex);
-    return now;
-}
-
-bool Analysis::take(AnalysisPixels& pixels) {
+bool Analysis::take(AnalysisPixels& pixels, Progress& progress) {
     const std::scoped_lock lock(mutex);
     if (!std::exchange(news, false)) {
         return false;
     }
     pixels = known;
+    progress = now;
     return true;
 }
 

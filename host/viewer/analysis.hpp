@@ -63,15 +63,14 @@ public:
         long long wrong = 0;
         double largest = 0.0;  ///< distance from the reference's hit, in units
     };
-    [[nodiscard]] Progress progress() const;
 
     /// Copies what is known by now, if that is more than at the last call.
-    bool take(AnalysisPixels& pixels);
+    bool take(AnalysisPixels& pixels, Progress& progress);
 
 private:
     void work(const PixelJudge& judge, const image::Image& picture);
 
-    mutable std::mutex mutex;
+    std::mutex mutex;
     AnalysisPixels known;
     Progress now;
     bool news = false;

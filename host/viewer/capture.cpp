@@ -33,4 +33,28 @@ void writeDisplayed(const std::filesystem::path& path, image::Image displayed) {
     image::writeImage(path, displayed);
 }
 
+namespace {
+
+image::Image colorsOf(const image::Image& picture) {
+    image::Image colors(picture.width, picture.height, {"R", "G", "B", "A"});
+    const auto channels = static_cast<std::size_t>(picture.channelCount());
+    for (std::size_t i = 0; i < colors.pixels.size(); ++i) {
+        colors.pixels[i] = picture.pixels[i / 4 * channels + i % 4];
+    }
+    return colors;
+}
+
+}  // namespace
+
+void writePicture(const std::filesystem::path& path, View view, Pictures& pictures, ViewPass& viewPass) {
+    if (path.extension() == ".exr") {
+        image::writeImage(path, pictures.side(0).readBack(pictures.extent()));
+    } else if (view == View::Shaded && !pictures.hasRight()) {
+        // From the linear colours themselves, so that it is the PNG that render writes.
+        image::writeImage(path, colorsOf(pictures.side(0).readBack(pictures.extent())));
+    } else {
+        writeDisplayed(path, viewPass.readBack());
+    }
+}
+
 }  // namespace raytorus::viewer

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 
-#include "bench/methods/methods.hpp"
 #include "viewer/navigation.hpp"
 
 namespace raytorus::viewer {
@@ -55,12 +54,12 @@ void nextView(State& state) {
 
 template <int step>
 void nextMethod(State& state) {
-    const std::size_t count = methods().size();
+    const std::size_t count = state.methodCount;
     state.left.method = (state.left.method + (step > 0 ? 1 : count - 1)) % count;
 }
 
 void nextRightMethod(State& state) {
-    state.right.method = (state.right.method + 1) % methods().size();
+    state.right.method = (state.right.method + 1) % state.methodCount;
     state.wipe = true;
 }
 

@@ -30,14 +30,17 @@ constexpr std::array<StepShaders, 4> stepShaders = {{
 
 }  // namespace
 
-std::vector<MethodEntry> builtInMethods() {
+std::vector<MethodEntry> methodList(bool withEdited) {
     std::vector<MethodEntry> list;
     for (const Method& method : methods()) {
         const auto found = std::ranges::find(stepShaders, method.name, &StepShaders::method);
-        const bool counts = found != stepShaders.end();
-        list.push_back({method.name, method.description, method.shaders,
-                        counts ? render::ShaderSource(found->find) : method.shaders, counts,
-                        static_cast<int>(list.size())});
+        const render::ShaderSource steps =
+            found != stepShaders.end() ? render::ShaderSource(found->find) : method.shaders;
+        list.push_back({method.name, method.description, method.shaders, steps});
+    }
+    if (withEdited) {
+        list.push_back({"edited", "the shaders in the folder that is being edited", list.front().shaders,
+                        list.front().steps, true});
     }
     return list;
 }

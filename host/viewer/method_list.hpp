@@ -13,14 +13,13 @@ struct MethodEntry {
     std::string name;
     std::string description;
     render::ShaderSource shaders;
-    render::ShaderSource
-        steps;  ///< the same pictures, and the number of steps in the fourth channel of surface
-    bool countsSteps = false;  ///< else `steps` is `shaders`, and all are 0
-    int version = 0;           ///< changes with the shaders; no two entries ever have the same
+    render::ShaderSource steps;  ///< the same pictures with steps counted, where the method counts any
+    bool edited = false;         ///< the shaders that are being edited
+    int version = 0;             ///< changes with the shaders
 };
 
-/// methods(), in their order.
-std::vector<MethodEntry> builtInMethods();
+/// methods(), in their order. withEdited: then "edited", which is the library until it has been compiled.
+std::vector<MethodEntry> methodList(bool withEdited);
 
 /// The place of a method in the list. Throws Error{Usage} if there is none of that name.
 std::size_t indexOf(const std::vector<MethodEntry>& methods, const std::string& name);

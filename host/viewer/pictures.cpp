@@ -64,10 +64,13 @@ std::optional<Quality> Pictures::next(double now) const {
 }
 
 void Pictures::update(const Wish& wish, double now) {
+    if (inWork == Quality::Moving) {
+        // It is finished first, however much has moved since: else a hand that never rests would see nothing.
+        return;
+    }
     const bool changed = !hasWish || !wanted.samePicture(wish);
     // Another view of a small picture without its geometry needs that geometry.
-    const bool missing =
-        wish.aovs && !wanted.aovs && (complete == Quality::Moving || inWork == Quality::Moving);
+    const bool missing = wish.aovs && !wanted.aovs && complete == Quality::Moving;
     if (changed || missing) {
         setShaders(wish);
         const bool first = !hasWish;
@@ -122,8 +125,8 @@ bool Pictures::draw(double seconds) {
         return false;
     }
     const bool anyFresh = fresh[0] || (wanted.right && fresh[1]);
-    if (!anyFresh && inWork != Quality::Refined) {
-        resolution.learn(workExtent, 1, spent);
+    if (!anyFresh) {
+        resolution.learn(workExtent, workSamples * workSamples, spent);
     }
     fresh = {false, wanted.right ? false : fresh[1]};
     complete = inWork;

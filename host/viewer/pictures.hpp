@@ -13,11 +13,20 @@
 
 namespace raytorus::viewer {
 
+/// Tells shaders apart.
+struct ShaderVersion {
+    std::size_t method = 0;
+    int version = 0;
+    bool steps = false;
+
+    bool operator==(const ShaderVersion&) const = default;
+};
+
 /// Everything that pictures depend on; equal wishes give equal pictures.
 struct Wish {
     render::Scene scene;  ///< as it is at the time shown
     std::array<render::ShaderSource, 2> shaders;
-    std::array<int, 2> shaderVersions{};  ///< other numbers: other shaders
+    std::array<ShaderVersion, 2> shaderVersions{};  ///< of `shaders`
     std::array<render::Route, 2> routes{};
     bool right = false;  ///< the right side is wanted, too
     bool aovs = false;   ///< the geometric pictures are wanted at once
@@ -71,7 +80,7 @@ private:
     VkExtent2D windowSize;
     std::array<std::unique_ptr<render::LivePicture>, 2> live;
     std::array<std::optional<render::Scene>, 2> drawnScene;  // whose tori are on the device
-    std::array<int, 2> versions{-1, -1};
+    std::array<std::optional<ShaderVersion>, 2> versions;
     std::array<render::Route, 2> routes{};
     std::array<bool, 2> fresh{true, true};  // the driver has yet to compile: its time says nothing
     Wish wanted;

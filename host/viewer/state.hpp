@@ -14,7 +14,7 @@ namespace raytorus::viewer {
 
 /// Who draws a side of the picture.
 struct Side {
-    std::size_t method = 0;  ///< of methods()
+    std::size_t method = 0;  ///< of methodList()
     render::Route route = render::Route::Fragment;
 
     bool operator==(const Side&) const = default;
@@ -58,6 +58,7 @@ struct State {
     render::Scene scene;      ///< as it is edited; its camera is the one that is moved
 
     View view = View::Shaded;
+    std::size_t methodCount = 1;
     Side left;
     Side right{1, render::Route::Fragment};
     bool wipe = false;

@@ -27,6 +27,7 @@ Examples:
   raytorus-view scenes/ring.json
   raytorus-view scenes/thin.json --view reference --method closed-form
   raytorus-view scenes/chain.json --wipe closed-form-naive
+  raytorus-view scenes/ring.json --edit shaders --wipe raytorus
   raytorus-view scenes/ring.json --size 800x600 --frames 1 --screenshot ring.exr
   xvfb-run raytorus-view scenes/ring.json --view steps --window-screenshot window.png)";
 
@@ -120,6 +121,9 @@ std::optional<ViewerOptions> parseOptions(const std::vector<std::string>& argume
         ->option_text("NAME [shaded]");
     app.add_option("--method", options.method, "Who intersects, as in raytorus render")
         ->option_text("NAME [raytorus]");
+    app.add_option("--edit", options.edit,
+                   "Compile the GLSL in this folder, a copy of shaders/, now and whenever it changes")
+        ->option_text("DIR");
     app.add_option("--route", texts.route, "The pipeline that runs the shaders")
         ->option_text("fragment|compute [fragment]");
     app.add_option("--wipe", texts.wipe, "Another method on the right, from this part of the width on")

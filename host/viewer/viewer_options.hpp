@@ -20,12 +20,13 @@ struct ViewerOptions {
     int width = 0;  ///< of the window, in its own units; 0: the scene's picture
     int height = 0;
     View view = View::Shaded;
-    std::string method = "raytorus";
+    std::string method;  ///< empty: the edited shaders, or the library
     render::Route route = render::Route::Fragment;
     std::string wipeMethod;  ///< empty: no wipe
     double wipeAt = 0.5;
     int samplesPerSide = 2;
     std::string golden;
+    std::string edit;  ///< a folder of GLSL
     double time = 0.0;
     bool paused = false;
     bool panel = true;

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/viewer_loop.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/file.hpp"
+#include "render/scene_json.hpp"
+#include "viewer/capture.hpp"
+#include "viewer/commands.hpp"
+#include "viewer/picking.hpp"
+
+namespace raytorus::viewer {
+namespace {
+
+constexpr double idleSeconds = 0.05;  // between looks at files and at the background's work
+constexpr double messageSeconds = 4.0;
+constexpr double largestTimeStep =
+    0.1;  // of an animation: after a pause of the program it goes on from there
+
+}  // namespace
+
+ViewerLoop::ViewerLoop(const ViewerOptions& viewerOptions, Window& shownWindow, gpu::Context& gpuContext,
+                       State firstState, std::vector<MethodEntry> methodList)
+    : options(viewerOptions),
+      window(shownWindow),
+      context(gpuContext),
+      methods(std::move(methodList)),
+      state(std::move(firstState)),
+      swapchain(context, window),
+      gui(context, window, swapchain),
+      pictures(context, nonZero(window.framebufferSize())),
+      viewPass(context),
+      log(options.events),
+      inspection(context, viewPass, log),
+      sceneWatch(watchFile(state.sceneFile)) {
+    inspection.openGolden(options.golden, state.sceneFile);
+    if (!options.edit.empty()) {
+        edited = std::make_unique<EditedShaders>(options.edit);
+    }
+}
+
+VkExtent2D ViewerLoop::nonZero(VkExtent2D extent) {
+    return {std::max(1U, extent.width), std::max(1U, extent.height)};
+}
+
+compile::FileWatch ViewerLoop::watchFile(const std::string& file) {
+    compile::FileWatch watch;
+    const std::filesystem::path path = std::filesystem::absolute(file);
+    watch.watch({{path, compile::fingerprint(compile::readSourceFile(path))}});
+    return watch;
+}
+
+void ViewerLoop::run() {
+    log.write("open", {{"scene", state.sceneFile}, {"device", context.info().name}});
+    while (!window.closed() && !state.closing) {
+        round();
+    }
+    log.write("closed");
+}
+
+bool ViewerLoop::isScript() const {
+    return options.frames > 0 || !options.screenshot.empty() || !options.windowScreenshot.empty();
+}
+
+void ViewerLoop::say(const std::string& text) {
+    state.message = {text, clock() + messageSeconds};
+    dirtyFrames = uiFrames;
+    log.write("message", {{"text", text}});
+}
+
+void ViewerLoop::round() {
+    const bool moves = animated() && state.animation.playing;
+    const bool busy = pictures.drawing() || dirtyFrames > 0 || viewStale || moves || isScript();
+    const std::vector<InputEvent> events = window.poll(busy ? 0.0 : idleSeconds);
+    takeTime();
+    for (const InputEvent& event : events) {
+        take(event);
+    }
+    if (window.takeRefresh() || !events.empty()) {
+        dirtyFrames = uiFrames;
+    }
+    followFiles();
+    serve();
+    const VkExtent2D size = window.framebufferSize();
+    noteSize(size);
+    if (size.width == 0 || size.height == 0) {  // minimised: nothing can be shown
+        window.poll(idleSeconds);
+        return;
+    }
+    updatePictures(size);
+    attempt([&] { viewStale = inspection.update(state, pictures, shadersOf(state.left)) || viewStale; });
+    if (viewStale && !pictures.drawing() && pictures.shown()) {
+        drawView();
+    }
+    if (dirtyFrames > 0) {
+        showFrame();
+    }
+    finishScript();
+}
+
+void ViewerLoop::takeTime() {
+    const double now = clock();
+    const double step = std::min(now - lastRound, largestTimeStep);
+    lastRound = now;
+    if (animated() && state.animation.playing && !isScript()) {
+        state.animation.seconds += state.animation.speed * step;
+    }
+    if (state.message.until > 0.0 && now > state.message.until) {
+        state.message = {};
+        dirtyFrames = uiFrames;
+    }
+}
+
+void ViewerLoop::take(const InputEvent& event) {
+    if (event.type == InputEvent::Type::Key) {
+        if (event.pressed && !gui.takesKeys() && runCommand(state, event.code, event.modifiers)) {
+            log.write("key", {{"code", static_cast<long long>(event.code)}});
+        }
+        return;
+    }
+    if (event.type == InputEvent::Type::Drop) {
+        attempt([&] { open(event.text); });
+        return;
+    }
+    const VkExtent2D size = window.framebufferSize();
+    pointer.handle(event, state, size, picturePlace(size), gui.takesPointer());
+}
+
+void ViewerLoop::open(const std::string& file) {
+    sceneWatch = watchFile(file);  // first, so that a broken scene is read again when it is mended
+    const render::Scene scene = render::readScene(file);
+    // Whoever edits the file keeps the view of it, unless it is the camera that was edited.
+    const bool sameCamera = file == state.sceneFile && scene.camera == state.fileScene.camera;
+    const render::Camera camera = sameCamera ? state.scene.camera : scene.camera;
+    state.sceneFile = file;
+    state.fileScene = scene;
+    state.scene = scene;
+    state.scene.camera = camera;
+    state.selectedTorus = 0;
+    state.pick.reset();
+    inspection.openGolden(options.golden, file);
+    dirtyFrames = uiFrames;
+    log.write("scene", {{"file", file}});
+}
+
+void ViewerLoop::followFiles() {
+    if (!sceneWatch.poll().empty()) {
+        attempt([&] { open(state.sceneFile); });
+    }
+    if (edited && edited->poll()) {
+        state.shaderError = edited->error();
+        dirtyFrames = uiFrames;
+        if (edited->error().empty()) {
+            MethodEntry& entry = methods.back();
+            entry.shaders = edited->shaders();
+            entry.steps = edited->steps();
+            ++entry.version;
+            log.write("shaders", {{"version", static_cast<long long>(entry.version)}});
+        } else {
+            log.write("shader-error", {{"text", edited->error()}});
+        }
+    }
+}
+
+void ViewerLoop::serve() {
+    if (!state.clipboardRequest.empty()) {
+        const std::string text = std::exchange(state.clipboardRequest, {});
+        window.setClipboard(text);
+        log.write("copied", {{"text", text}});
+        say("copied: " + text);
+    }
+    if (std::exchange(state.fullScreenRequest, false)) {
+        window.toggleFullScreen();
+        log.write("fullscreen");
+    }
+    if (std::exchange(state.reloadRequest, false)) {
+        attempt([&] { open(state.sceneFile); });
+        if (edited) {
+            edited->again();
+        }
+    }
+    if (std::exchange(state.saveRequest, false)) {
+        attempt([&] { saveScene(); });
+    }
+    const bool ready = pictures.settled() && !viewStale && inspection.complete(state);
+    if (!state.screenshotRequest.empty() && ready) {
+        const std::string extension = std::exchange(state.screenshotRequest, {});
+        attempt([&] { saveScreenshot(freeName(".", "screenshot", extension)); });
+    }
+    if (state.pickRequest && pictures.settled()) {
+        const auto pixel = *std::exchange(state.pickRequest, std::nullopt);
+        attempt([&] { pick(pixel); });
+    }
+    state.selectedTorus = std::min(state.selectedTorus, state.scene.tori.size() - 1);
+}
+
+void ViewerLoop::noteSize(VkExtent2D size) {
+    if (size.width != lastSize.width || size.height != lastSize.height) {
+        lastSize = size;
+        dirtyFrames = uiFrames;
+        log.write("size", {{"width", static_cast<long long>(size.width)},
+                           {"height", static_cast<long long>(size.height)}});
+    }
+}
+
+void ViewerLoop::pick(std::pair<int, int> pixel) {
+    const VkExtent2D extent = pictures.extent();
+    const auto [x, y] = pixel;
+    if (x >= static_cast<int>(extent.width) || y >= static_cast<int>(extent.height)) {
+        throw Error(ExitCode::Usage, fmt::format("pixel ({}, {}) is outside the picture of {} x {}", x, y,
+                                                 extent.width, extent.height));
+    }
+    state.pick = pickPixel(context, pictures.scene(), extent, x, y, methods[0].shaders);
+    log.write("picked", {{"x", static_cast<long long>(x)},
+                         {"y", static_cast<long long>(y)},
+                         {"command", state.pick->command},
+                         {"text", state.pick->text}});
+    dirtyFrames = uiFrames;
+}
+
+void ViewerLoop::saveScene() {
+    const std::filesystem::path path = freeName(".", "scene", ".json");
+    render::Scene scene = state.scene;
+    scene.imageWidth = static_cast<int>(pictures.size().width);
+    scene.imageHeight = static_cast<int>(pictures.size().height);
+    const std::string text = render::writeScene(scene);
+    writeFile(path, std::as_bytes(std::span(text)));
+    log.write("saved", {{"file", path.string()}});
+    say("saved " + path.string());
+}
+
+void ViewerLoop::saveScreenshot(const std::filesystem::path& path) {
+    writePicture(path, state.view, pictures, viewPass);
+    log.write("screenshot", {{"file", path.string()}});
+    say("saved " + path.string());
+}
+
+bool ViewerLoop::scriptDone() const {
+    return isScript() && framesShown + 1 >= std::max(options.frames, uiFrames + 1) && pictures.settled() &&
+           !viewStale && inspection.complete(state) && !state.pickRequest && !(edited && !edited->any());
+}
+
+void ViewerLoop::finishScript() {
+    if (!isScript()) {
+        return;
+    }
+    dirtyFrames = std::max(dirtyFrames, 1);  // each round shows a frame
+    if (edited && !edited->error().empty()) {
+        throw Error(ExitCode::Shader, edited->error());
+    }
+    const bool written = options.windowScreenshot.empty() || windowWritten;
+    if (!scriptDone() || !written || framesShown < options.frames) {
+        return;
+    }
+    if (!options.screenshot.empty()) {
+        saveScreenshot(options.screenshot);
+    }
+    state.closing = true;
+}
+
+}  // namespace raytorus::viewer
