@@ -157,6 +157,8 @@ const std::array list = {
             [](State& state) { state.screenshotRequest = ".png"; }},
     Command{"E", GLFW_KEY_E, 0, "Picture", "save the picture as EXR, with every channel",
             [](State& state) { state.screenshotRequest = ".exr"; }},
+    Command{"Shift+S", GLFW_KEY_S, shift, "Picture", "save the window with its panels: window-001.png, ...",
+            [](State& state) { state.windowShotRequest = true; }},
     Command{"Ctrl+S", GLFW_KEY_S, control, "Picture", "save the scene as it is now: scene-001.json, ...",
             [](State& state) { state.saveRequest = true; }},
 

@@ -7,12 +7,13 @@
 #include <string_view>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace raytorus::viewer {
 
 class EventLog {
 public:
-    using Value = std::variant<bool, long long, double, std::string>;
+    using Value = std::variant<bool, long long, double, std::string, std::vector<double>>;
     using Field = std::pair<std::string_view, Value>;
 
     /// Silent unless enabled.

@@ -17,20 +17,21 @@ constexpr ImGuiWindowFlags bare = plain | ImGuiWindowFlags_NoTitleBar | ImGuiWin
                                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs |
                                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
 
+// The group of keys that begins the right half of the help.
+constexpr std::string_view secondColumn = "Method";
+
 void drawHelp(State& state) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({0.5F * size.x, 0.5F * size.y}, ImGuiCond_Always, {0.5F, 0.5F});
-    ImGui::SetNextWindowSize({std::min(size.x - 16.0F, 60.0F * ImGui::GetFontSize()), size.y - 32.0F},
+    ImGui::SetNextWindowSize({std::min(size.x - 16.0F, 72.0F * ImGui::GetFontSize()), size.y - 32.0F},
                              ImGuiCond_Always);
     if (ImGui::Begin("Keys (H or ? closes)", &state.help, plain | ImGuiWindowFlags_NoMove)) {
         if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_None)) {
             std::string_view group;
-            std::size_t row = 0;
             ImGui::TableNextColumn();
             for (const Command& command : commands()) {
-                if (row++ == commands().size() / 2 + 2) {
+                if (group != command.group && command.group == secondColumn) {
                     ImGui::TableNextColumn();
-                    group = {};
                 }
                 if (group != command.group) {
                     group = command.group;

@@ -84,6 +84,7 @@ struct State {
     bool fullScreenRequest = false;
     std::string screenshotRequest;  ///< a file to write the picture to
     std::string clipboardRequest;   ///< text to be put there
+    bool windowShotRequest = false;
     bool panelFocusRequest = false;
     bool saveRequest = false;
     bool reloadRequest = false;

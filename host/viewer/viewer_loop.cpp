@@ -83,6 +83,7 @@ void ViewerLoop::round() {
     }
     followFiles();
     serve();
+    changes.note(state, methods, gui.takesKeys(), log);
     const VkExtent2D size = window.framebufferSize();
     noteSize(size);
     if (size.width == 0 || size.height == 0) {  // minimised: nothing can be shown

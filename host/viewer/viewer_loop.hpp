@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "viewer/change_log.hpp"
 #include "viewer/edited_shaders.hpp"
 #include "viewer/event_log.hpp"
 #include "viewer/frame.hpp"
@@ -101,6 +102,7 @@ private:
     Pictures pictures;
     ViewPass viewPass;
     EventLog log;
+    ChangeLog changes;
     Inspection inspection;
     Pointer pointer;
     compile::FileWatch sceneWatch;
