@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: MIT
+# raytorus-view: its parts that need no window, then the program in real windows on a display of the tests' own.
+if(NOT TARGET raytorus-view)
+    add_test(NAME viewer.missing COMMAND "${CMAKE_COMMAND}" -P "${CMAKE_CURRENT_SOURCE_DIR}/viewer_missing.cmake")
+    set_tests_properties(viewer.missing PROPERTIES SKIP_REGULAR_EXPRESSION "skipped: ")
+    return()
+endif()
+find_package(nlohmann_json REQUIRED)
+pkg_check_modules(XCB REQUIRED IMPORTED_TARGET xcb)
+
+raytorus_add_tests(viewer_tests
+    SOURCES
+        run_program.cpp
+        window_display.cpp
+        window_picture_test.cpp
+        window_process.cpp
+        window_test.cpp
+    LIBRARIES raytorus::viewer nlohmann_json::nlohmann_json PkgConfig::XCB)
+add_dependencies(viewer_tests raytorus raytorus-view)
+target_compile_definitions(viewer_tests PRIVATE
+    RAYTORUS_PROGRAM="$<TARGET_FILE:raytorus>"
+    RAYTORUS_VIEW="$<TARGET_FILE:raytorus-view>")
