@@ -11,6 +11,7 @@ pkg_check_modules(XCB REQUIRED IMPORTED_TARGET xcb)
 raytorus_add_tests(viewer_tests
     SOURCES
         run_program.cpp
+        viewer_documentation_test.cpp
         window_display.cpp
         window_picture_test.cpp
         window_process.cpp

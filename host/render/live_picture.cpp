@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 namespace raytorus::render {
 namespace {
@@ -46,6 +47,7 @@ void LivePicture::setShaders(const Scene& scene, const ShaderSource& newShaders,
     pipelines = std::move(store);
     shaders = newShaders;
     route = newRoute;
+    untried = true;
 }
 
 const PictureTargets& LivePicture::targetsOf(const LiveRequest& wanted) const {
@@ -72,12 +74,14 @@ void LivePicture::begin(const Scene& scene, const LiveRequest& wanted, bool same
     const bool sameCost = bandRows > 0 && wanted.extent.width == request.extent.width &&
                           wanted.samplesPerSide == request.samplesPerSide && wanted.aovs == request.aovs;
     request = wanted;
+    const std::size_t known = pipelines.size();
     current.emplace(*context, pipelines, scene, *buffers, targetsOf(request), request.extent,
                     DrawingOptions{route, request.samplesPerSide, shaders});
     if (sameCost) {
         current->setBandRows(bandRows);
     }
     drawTimes = {};
+    drawTimes.compiled = std::exchange(untried, false) || pipelines.size() > known;
 }
 
 bool LivePicture::draw(double seconds) {

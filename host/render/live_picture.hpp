@@ -23,6 +23,7 @@ struct LiveRequest {
 struct LiveTimes {
     double seconds = 0.0;
     double deviceSeconds = 0.0;
+    bool compiled = false;  ///< by a pipeline used for the first time: the driver compiled within these
 };
 
 class LivePicture {
@@ -75,6 +76,7 @@ private:
     std::optional<PictureDrawing> current;
     LiveRequest request;
     std::uint32_t bandRows = 0;
+    bool untried = true;      // the shaders have not drawn yet
     bool colorAlone = false;  // the colour of `color` is newer than that of `all`
     LiveTimes drawTimes;
     LiveTimes lastTimes;

@@ -28,6 +28,8 @@ public:
     gpu::Pipeline& find(Route route, const std::vector<std::uint32_t>& specialization,
                         const std::function<gpu::Pipeline()>& make);
 
+    [[nodiscard]] std::size_t size() const { return pipelines.size(); }
+
 private:
     std::map<std::pair<Route, std::vector<std::uint32_t>>, gpu::Pipeline> pipelines;
 };

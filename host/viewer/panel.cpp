@@ -93,7 +93,9 @@ void showStatistics(const State& state, const PanelInfo& info) {
     const double rays = static_cast<double>(shown.extent.width) * shown.extent.height * shown.samples;
     ImGui::Text("picture: %.2f ms, on the device %.2f ms", 1e3 * shown.drawSeconds,
                 1e3 * shown.deviceSeconds);
-    if (shown.drawSeconds > 0.0) {
+    if (shown.compiled) {
+        ImGui::TextUnformatted("the driver compiled within that time");
+    } else if (shown.drawSeconds > 0.0) {
         ImGui::Text("%.1f million camera rays a second", 1e-6 * rays / shown.drawSeconds);
     }
     ImGui::PushTextWrapPos(0.0F);

@@ -46,7 +46,6 @@ void Pictures::setShaders(const Wish& wish) {
             live[i]->setShaders(wish.scene, wish.shaders[i], wish.routes[i]);
             versions[i] = wish.shaderVersions[i];
             routes[i] = wish.routes[i];
-            fresh[i] = true;
             inWork.reset();
         }
     }
@@ -112,6 +111,7 @@ bool Pictures::draw(double seconds) {
     double left = seconds;
     double spent = 0.0;
     bool all = true;
+    bool compiled = false;
     for (std::size_t i = 0; i < (wanted.right ? 2U : 1U); ++i) {
         if (!ready[i] && left > 0.0) {
             const Clock::time_point start = Clock::now();
@@ -120,15 +120,14 @@ bool Pictures::draw(double seconds) {
         }
         all = all && ready[i];
         spent += live[i]->times().seconds;
+        compiled = compiled || live[i]->times().compiled;
     }
     if (!all) {
         return false;
     }
-    const bool anyFresh = fresh[0] || (wanted.right && fresh[1]);
-    if (!anyFresh) {
+    if (!compiled) {
         resolution.learn(workExtent, workSamples * workSamples, spent);
     }
-    fresh = {false, wanted.right ? false : fresh[1]};
     complete = inWork;
     inWork.reset();
     shownExtent = workExtent;

@@ -82,7 +82,6 @@ private:
     std::array<std::optional<render::Scene>, 2> drawnScene;  // whose tori are on the device
     std::array<std::optional<ShaderVersion>, 2> versions;
     std::array<render::Route, 2> routes{};
-    std::array<bool, 2> fresh{true, true};  // the driver has yet to compile: its time says nothing
     Wish wanted;
     bool hasWish = false;
     double lastChange = -1e9;

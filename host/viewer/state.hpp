@@ -37,6 +37,7 @@ struct Statistics {
     int samples = 1;           ///< a pixel
     double drawSeconds = 0.0;  ///< of the last complete drawing
     double deviceSeconds = 0.0;
+    bool compiled = false;  ///< within that time, by the driver
     double framesPerSecond = 0.0;
     double analysed = 0.0;  ///< part of the pixels whose reference is known
     long long wrongPixels = 0;

@@ -73,6 +73,7 @@ void ViewerLoop::notePicture() {
     statistics.samples = pictures.samples();
     statistics.drawSeconds = pictures.times().seconds;
     statistics.deviceSeconds = pictures.times().deviceSeconds;
+    statistics.compiled = pictures.times().compiled;
     if (pictures.settled()) {
         log.write("settled", {{"width", static_cast<long long>(statistics.extent.width)},
                               {"height", static_cast<long long>(statistics.extent.height)},
@@ -125,7 +126,8 @@ void ViewerLoop::showFrame() {
     }
     drawOverlays(state, methods, picturePlace(size), clock());
     gui.end();
-    const bool wanted = scriptDone() && !options.windowScreenshot.empty();
+    const bool scripted = scriptDone() && !options.windowScreenshot.empty();
+    const bool wanted = scripted || state.windowShotRequest;
     std::optional<FrameCopy> copy;
     const FrameResult result = swapchain.show([&](VkCommandBuffer commands, const FrameTarget& target) {
         if (wanted && swapchain.canRead()) {
@@ -142,13 +144,22 @@ void ViewerLoop::showFrame() {
     ++framesShown;
     noteFrame();
     if (wanted) {
-        if (!copy) {
-            throw Error(ExitCode::NoDevice, "this window's contents cannot be read back");
-        }
-        writeDisplayed(options.windowScreenshot, copy->picture(swapchain.format()));
-        log.write("window-screenshot", {{"file", options.windowScreenshot}});
-        windowWritten = true;
+        state.windowShotRequest = false;
+        windowWritten = windowWritten || scripted;
+        attempt([&] {
+            saveWindow(
+                scripted ? std::filesystem::path(options.windowScreenshot) : freeName(".", "window", ".png"),
+                copy ? &*copy : nullptr);
+        });
     }
+}
+
+void ViewerLoop::saveWindow(const std::filesystem::path& path, const FrameCopy* copy) {
+    if (copy == nullptr) {
+        throw Error(ExitCode::NoDevice, "this window's contents cannot be read back");
+    }
+    writeDisplayed(path, copy->picture(swapchain.format()));
+    log.write("window-screenshot", {{"file", path.string()}});
 }
 
 void ViewerLoop::noteFrame() {

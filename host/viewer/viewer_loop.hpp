@@ -84,6 +84,7 @@ private:
     [[nodiscard]] bool fills() const;
     [[nodiscard]] VkRect2D picturePlace(VkExtent2D size) const;
     void showFrame();
+    void saveWindow(const std::filesystem::path& path, const FrameCopy* copy);
     void noteFrame();
     void pick(std::pair<int, int> pixel);
     void saveScene();
