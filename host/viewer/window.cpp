@@ -69,15 +69,16 @@ struct Window::Callbacks {
         event.code = code;
         event.pressed = action == GLFW_PRESS;
         event.modifiers = modifiers;
-        double x = 0.0;
-        double y = 0.0;
-        glfwGetCursorPos(window, &x, &y);
-        addPointer(window, event, x, y);
+        // Where the pointer was then. glfwGetCursorPos() tells where it is now, which may be the end of a
+        // quick drag.
+        addPointer(window, event, of(window).pointerX, of(window).pointerY);
     }
 
     static void move(GLFWwindow* window, double x, double y) {
         InputEvent event;
         event.type = InputEvent::Type::Move;
+        of(window).pointerX = x;
+        of(window).pointerY = y;
         addPointer(window, event, x, y);
     }
 
@@ -114,6 +115,7 @@ Window::Window(const std::string& title, int width, int height) {
         throw Error(ExitCode::NoDevice, fmt::format("no window could be opened: {}", reason));
     }
     glfwSetWindowUserPointer(window, this);
+    glfwGetCursorPos(window, &pointerX, &pointerY);
     glfwSetKeyCallback(window, &Callbacks::key);
     glfwSetMouseButtonCallback(window, &Callbacks::button);
     glfwSetCursorPosCallback(window, &Callbacks::move);

@@ -60,6 +60,7 @@ private:
     GLFWwindow* window = nullptr;
     std::vector<InputEvent> events;
     bool refresh = true;
+    double pointerX = 0.0, pointerY = 0.0;  // in the window's own units, as the events so far tell
     int restoreX = 0, restoreY = 0, restoreWidth = 0, restoreHeight = 0;
 };
 
