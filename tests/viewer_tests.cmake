@@ -13,9 +13,11 @@ raytorus_add_tests(viewer_tests
         run_program.cpp
         viewer_documentation_test.cpp
         window_display.cpp
+        window_hand_test.cpp
         window_picture_test.cpp
         window_process.cpp
         window_test.cpp
+        window_view_test.cpp
     LIBRARIES raytorus::viewer nlohmann_json::nlohmann_json PkgConfig::XCB)
 add_dependencies(viewer_tests raytorus raytorus-view)
 target_compile_definitions(viewer_tests PRIVATE

@@ -17,7 +17,7 @@ class LiveProcess {
 public:
     /// How long a test waits for what has to come. Long, since machines are slow at times and nothing is
     /// measured by it.
-    static constexpr std::chrono::seconds patience{90};
+    static constexpr std::chrono::seconds patience{15};
 
     /// Starts it in `settings.folder`. Its standard error goes to the file `errors`. It is killed when the
     /// process of the tests dies, whichever way. Throws std::system_error.

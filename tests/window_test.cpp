@@ -98,6 +98,9 @@ WindowTest::Json WindowTest::nextEvent() {
     if (!event.is_object() || !event.contains("event")) {
         giveUp("this is no event: " + *line);
     }
+    if (event["event"] == "camera") {
+        lastCamera = event;
+    }
     return event;
 }
 

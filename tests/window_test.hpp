@@ -77,6 +77,7 @@ protected:
 
     std::filesystem::path folder = scratchFolder();
     std::uint32_t window = 0;
+    Json lastCamera;  ///< the camera's last event that nextEvent() has passed
 
 private:
     [[noreturn]] void giveUp(const std::string& what) const;
