@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
+
+#include <utility>
+
 
 #include "viewer/legend.hpp"
 
@@ -110,6 +114,13 @@ void showStatistics(const State& state, const PanelInfo& info) {
     ImGui::PopTextWrapPos();
 }
 
+// The window that is being drawn has the keys, its first item to begin with. A window that is merely in front
+// gets none of them before an arrow has moved in it.
+void takeKeys() {
+    ImGui::NavInitWindow(ImGui::GetCurrentWindow(), true);
+    ImGui::GetCurrentContext()->NavDisableHighlight = false;
+}
+
 }  // namespace
 
 void drawPanel(State& state, const PanelInfo& info) {
@@ -117,13 +128,16 @@ void drawPanel(State& state, const PanelInfo& info) {
     const float width = 21.0F * ImGui::GetFontSize();
     ImGui::SetNextWindowPos({size.x - 8.0F, 8.0F}, ImGuiCond_Always, {1.0F, 0.0F});
     ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, size.y - 16.0F});
-    if (state.panelFocusRequest) {
-        state.panelFocusRequest = false;
+    const bool focus = std::exchange(state.panelFocusRequest, false);
+    if (focus) {
         ImGui::SetNextWindowFocus();
     }
     if (ImGui::Begin(
             "raytorus", nullptr,
             ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings)) {
+        if (focus) {
+            takeKeys();
+        }
         ImGui::PushItemWidth(0.62F * ImGui::GetContentRegionAvail().x);
         chooseView(state);
         ImGui::Separator();

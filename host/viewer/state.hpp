@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "render/picture_drawing.hpp"
 #include "render/scene.hpp"
@@ -83,7 +84,7 @@ struct State {
 
     bool closing = false;
     bool fullScreenRequest = false;
-    std::string screenshotRequest;  ///< a file to write the picture to
+    std::vector<std::string> screenshotRequests;  ///< extensions of files to write the picture to
     std::string clipboardRequest;   ///< text to be put there
     bool windowShotRequest = false;
     bool panelFocusRequest = false;

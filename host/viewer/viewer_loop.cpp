@@ -73,7 +73,7 @@ void ViewerLoop::say(const std::string& text) {
 void ViewerLoop::round() {
     const bool moves = animated() && state.animation.playing;
     const bool busy = pictures.drawing() || dirtyFrames > 0 || viewStale || moves || isScript();
-    const std::vector<InputEvent> events = window.poll(busy ? 0.0 : idleSeconds);
+    const std::vector<InputEvent> events = window.poll(busy && !hidden ? 0.0 : idleSeconds);
     takeTime();
     for (const InputEvent& event : events) {
         take(event);
@@ -86,8 +86,8 @@ void ViewerLoop::round() {
     changes.note(state, methods, gui.takesKeys(), log);
     const VkExtent2D size = window.framebufferSize();
     noteSize(size);
-    if (size.width == 0 || size.height == 0) {  // minimised: nothing can be shown
-        window.poll(idleSeconds);
+    hidden = size.width == 0 || size.height == 0;
+    if (hidden) {  // minimised: nothing can be shown
         return;
     }
     updatePictures(size);
@@ -95,6 +95,7 @@ void ViewerLoop::round() {
     if (viewStale && !pictures.drawing() && pictures.shown()) {
         drawView();
     }
+    serveAtRest();
     if (dirtyFrames > 0) {
         showFrame();
     }
@@ -185,16 +186,23 @@ void ViewerLoop::serve() {
     if (std::exchange(state.saveRequest, false)) {
         attempt([&] { saveScene(); });
     }
-    const bool ready = pictures.settled() && !viewStale && inspection.complete(state);
-    if (!state.screenshotRequest.empty() && ready) {
-        const std::string extension = std::exchange(state.screenshotRequest, {});
-        attempt([&] { saveScreenshot(freeName(".", "screenshot", extension)); });
+    state.selectedTorus = std::min(state.selectedTorus, state.scene.tori.size() - 1);
+}
+
+// What keys have asked for that takes the picture as it is now: in the round that has seen all that they changed.
+void ViewerLoop::serveAtRest() {
+    if (!pictures.settled()) {
+        return;
     }
-    if (state.pickRequest && pictures.settled()) {
+    if (!viewStale && inspection.complete(state)) {
+        for (const std::string& extension : std::exchange(state.screenshotRequests, {})) {
+            attempt([&] { saveScreenshot(freeName(".", "screenshot", extension)); });
+        }
+    }
+    if (state.pickRequest) {
         const auto pixel = *std::exchange(state.pickRequest, std::nullopt);
         attempt([&] { pick(pixel); });
     }
-    state.selectedTorus = std::min(state.selectedTorus, state.scene.tori.size() - 1);
 }
 
 void ViewerLoop::noteSize(VkExtent2D size) {

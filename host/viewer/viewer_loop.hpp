@@ -73,6 +73,7 @@ private:
     void followFiles();
     // What keys and panels have asked for.
     void serve();
+    void serveAtRest();
     void noteSize(VkExtent2D size);
     [[nodiscard]] const render::ShaderSource& shadersOf(const Side& side) const;
     [[nodiscard]] ShaderVersion versionOf(const Side& side) const;
@@ -113,6 +114,7 @@ private:
     double lastRound = 0.0;
     double lastFrame = 0.0;
     VkExtent2D lastSize{};
+    bool hidden = false;
     std::tuple<View, double, int> lastLooks{View::Shaded, -1.0, 0};
     bool viewStale = true;
     bool windowWritten = false;

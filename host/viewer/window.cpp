@@ -137,8 +137,9 @@ std::vector<const char*> Window::instanceExtensions() {
     const char** names = glfwGetRequiredInstanceExtensions(&count);
     if (names == nullptr) {
         throw Error(ExitCode::NoDevice,
-                    "the Vulkan loader lacks the extensions that windows need (VK_KHR_surface and the one of "
-                    "the display)");
+                    "no Vulkan driver was found that can draw to this display's windows: install one (Debian: "
+                    "mesa-vulkan-drivers has one that needs no GPU), or correct VK_DRIVER_FILES / "
+                    "VK_ICD_FILENAMES if you set them");
     }
     return {names, names + count};
 }
