@@ -16,6 +16,7 @@ raytorus_add_tests(viewer_tests
         window_hand_test.cpp
         window_picture_test.cpp
         window_process.cpp
+        window_reload_test.cpp
         window_test.cpp
         window_view_test.cpp
     LIBRARIES raytorus::viewer nlohmann_json::nlohmann_json PkgConfig::XCB)
