@@ -265,6 +265,33 @@ def spindle():
         camera([0, -9.2, 7.6], [0, 0, -0.05], 15), PAPER, DAYLIGHT, [KEY, FILL], materials, tori, (1200, 500))
 
 
+def turntable(links=24):
+    """A bracelet about an axis that leans, of upright and flat links in turn."""
+    pole = unit([0.22, -0.16, 1])
+    side = unit(cross([0, 1, 0], pole))
+    radius, thickness, play = 1.32, 0.25, 0.07
+    step = 2 * radius * math.sin(math.pi / links)
+    major = step / (2 - 2 * thickness - play)
+    tori = []
+    for i in range(links):
+        outwards = turn(side, pole, 2 * math.pi * i / links)
+        normal = pole if i % 2 else outwards
+        material = "gold" if i % 2 else "copper" if i % 8 == 0 else "silver"
+        tori.append(facing(major, major * thickness, material, mul(outwards, radius), normal))
+    tori.append(facing(0.56, 0.28, "enamel", None, turn(pole, side, math.radians(24))))
+    tori.append(facing(0.07, 0.17, "gold", None, pole))
+    materials = {name: METALS[name] for name in ("gold", "silver", "copper")}
+    materials["enamel"] = {
+        "diffuse": [0.6, 0.05, 0.03], "specular": [0.05, 0.05, 0.05], "roughness": 0.25,
+        "checker": {"counts": [24, 10], "diffuse": [0.75, 0.68, 0.55]},
+    }
+    result = scene(
+        f"A bracelet of {links} links round a ring that leans, on a turntable",
+        camera([0.5, -4.4, 2.2], [0, 0, -0.1], 32), NIGHT, DUSK, [SPOT, FILL, RIM], materials, tori)
+    result["animation"] = {"turntable": {"secondsPerTurn": 12, "axis": pole}}
+    return result
+
+
 # --- writing ---------------------------------------------------------------------------------------------------
 
 
@@ -296,7 +323,7 @@ def main():
     default = pathlib.Path(__file__).resolve().parent.parent / "scenes"
     folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else default
     folder.mkdir(parents=True, exist_ok=True)
-    for make in (ring, chain, thin, far, inside, nested, spindle):
+    for make in (ring, chain, thin, far, inside, nested, spindle, turntable):
         (folder / f"{make.__name__}.json").write_text(text(make()) + "\n", encoding="utf-8")
 
 

@@ -113,10 +113,10 @@ TEST(SceneFault, UnknownAndMissingKeys) {
         {withKeys(R"("camra": {})"), "/camra: unknown key; did you mean 'camera'?"},
         {withKeys(R"("fog": 1)"),
          "/fog: unknown key; the keys here are $schema, description, image, camera, "
-         "background, ambient, lights, materials, tori"},
+         "background, ambient, lights, materials, tori, animation"},
         {withKeys(R"("a\u001b[31m": 1)"),
          "/a\\u001b[31m: unknown key; the keys here are $schema, description, image, "
-         "camera, background, ambient, lights, materials, tori"},
+         "camera, background, ambient, lights, materials, tori, animation"},
         {withKeys(R"("image": {"widht": 1})"), "/image/widht: unknown key; did you mean 'width'?"},
         {withCamera(R"("fieldOfView": 1)"),
          "/camera/fieldOfView: unknown key; the keys here are position, target, up, verticalFieldOfView"},
@@ -268,6 +268,41 @@ TEST(SceneFault, LightsAndColours) {
          "/materials/gold/checker/counts/1: 0 is not an integer from 1 to 65536"},
         {withMaterial(R"("checker": {"diffuse": [4, 0, 0]})"),
          "/materials/gold/checker/diffuse: [4,0,0]" + upToOne},
+    });
+}
+
+TEST(SceneFault, Animation) {
+    const auto withTurntable = [](const std::string& keys) {
+        return withKeys(R"("animation": {"turntable": {)" + keys + "}}");
+    };
+    const std::string turntable = "/animation/turntable";
+    expectFaults({
+        {withKeys(R"("animation": 1)"), "/animation: 1 is not an object"},
+        {withKeys(R"("animation": null)"), "/animation: null is not an object"},
+        {withKeys(R"("animation": {})"), "/animation: the key 'turntable' is missing"},
+        {withKeys(R"("animation": {"turntabel": {}})"),
+         "/animation/turntabel: unknown key; did you mean 'turntable'?"},
+        {withKeys(R"("animation": {"turntable": 8})"), turntable + ": 8 is not an object"},
+        {withTurntable(""), turntable + ": the key 'secondsPerTurn' is missing"},
+        {withTurntable(R"("secondsPerTurn": 0)"), turntable + "/secondsPerTurn: 0 is not a positive number"},
+        {withTurntable(R"("secondsPerTurn": -8)"),
+         turntable + "/secondsPerTurn: -8 is not a positive number"},
+        {withTurntable(R"("secondsPerTurn": "8")"),
+         turntable + "/secondsPerTurn: \"8\" is not a positive number"},
+        {withTurntable(R"("secondsPerTurn": 1e39)"),
+         turntable + "/secondsPerTurn: 1e39 is beyond the range of float32 (3.4e38)"},
+        {withTurntable(R"("secondsPerTurn": NaN)"),
+         "line 1, column 48: not JSON: while parsing value - invalid literal"},
+        {withTurntable(R"("secondsPerTurn": 8, "axis": [0, 0, 0])"),
+         turntable + "/axis: the vector is zero, and so has no direction"},
+        {withTurntable(R"("secondsPerTurn": 8, "axis": [0, 1])"),
+         turntable + "/axis: [0,1] is not an array of three numbers"},
+        {withTurntable(R"("secondsPerTurn": 8, "center": 0)"),
+         turntable + "/center: 0 is not an array of three numbers"},
+        {withTurntable(R"("secondsPerTurn": 8, "centre": [0, 0, 0])"),
+         turntable + "/centre: unknown key; did you mean 'center'?"},
+        {withTurntable(R"("secondsPerTurn": 8, "center": [2e38, 0, 0])"),
+         turntable + ": the tori turn beyond the range of float32 (3.4e38)"},
     });
 }
 

@@ -28,7 +28,8 @@ TEST(SceneJson, ReadsEachKey) {
         "tori": [{"majorRadius": 0, "minorRadius": 2, "translation": [7, 8, 9],
                   "rotation": {"axis": [0, 3, 0], "degrees": 90}, "scale": 0.5, "material": "a"},
                  {"majorRadius": 1, "minorRadius": 1.5, "rotation": {"quaternion": [2, 0, 0, 0]},
-                  "material": "z"}]
+                  "material": "z"}],
+        "animation": {"turntable": {"secondsPerTurn": 2.5, "axis": [0, 3, 4], "center": [-1, -2, -3]}}
     })",
                                    "test");
 
@@ -47,6 +48,8 @@ TEST(SceneJson, ReadsEachKey) {
     const double half = std::sqrt(0.5);
     expected.tori = {{0, 2, {7, 8, 9}, glm::dquat(half, 0, half, 0), 0.5, 1},
                      {1, 1.5, {0, 0, 0}, glm::dquat(0, 1, 0, 0), 1, 0}};
+
+    expected.turntable = {2.5, {0, 3, 4}, {-1, -2, -3}};
 
     ASSERT_EQ(scene.tori.size(), 2U);
     EXPECT_LT(glm::length(scene.tori[0].rotation - expected.tori[0].rotation), 1e-15);
@@ -71,6 +74,13 @@ TEST(SceneJson, ChoosesDefaultsForATorusAlone) {
     expected.camera = framingCamera(expected.tori, 1.5);
     EXPECT_EQ(scene, expected);
     EXPECT_FALSE(scene.lights.empty());
+}
+
+TEST(SceneJson, TurnsAboutZThroughTheOriginByDefault) {
+    const Scene scene = parseScene(R"({"tori": [{"majorRadius": 1, "minorRadius": 0.25}],
+        "animation": {"turntable": {"secondsPerTurn": 0.5}}})",
+                                   "test");
+    EXPECT_EQ(scene.turntable, (Turntable{0.5, {0, 0, 1}, {0, 0, 0}}));
 }
 
 TEST(SceneJson, KeepsAnEmptyListOfLights) {
@@ -152,6 +162,9 @@ Scene randomScene(unsigned seed) {
             {random(0, 3), random(0.01, 3), vector(-9, 9),
              glm::angleAxis(random(-9, 9), glm::normalize(vector(-1, 1))), std::exp(exponent),
              static_cast<std::size_t>(count(0, static_cast<int>(scene.materials.size()) - 1))});
+    }
+    if (random(0, 1) < 0.5) {
+        scene.turntable = Turntable{random(0.01, 99), vector(-1, 1), vector(-9, 9)};
     }
     return scene;
 }

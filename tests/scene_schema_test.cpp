@@ -40,7 +40,8 @@ json fullScene() {
                                "checker": {"counts": [4, 4], "diffuse": [0, 0, 0]}}},
         "tori": [{"majorRadius": 1, "minorRadius": 0.5, "translation": [0, 0, 0],
                   "rotation": {"axis": [1, 0, 0], "degrees": 90}, "scale": 1, "material": "gold"},
-                 {"majorRadius": 1, "minorRadius": 0.5, "rotation": {"quaternion": [0, 0, 0, 1]}}]
+                 {"majorRadius": 1, "minorRadius": 0.5, "rotation": {"quaternion": [0, 0, 0, 1]}}],
+        "animation": {"turntable": {"secondsPerTurn": 8, "axis": [0, 0, 1], "center": [0, 0, 0]}}
     })");
 }
 
@@ -173,6 +174,9 @@ TEST(SceneSchema, AgreesOnTheEndsOfEachRange) {
                                              {"/tori/0/minorRadius", 0, false},
                                              {"/tori/0/minorRadius", 1e-30, true},
                                              {"/tori/0/minorRadius", 100, true},
+                                             {"/animation/turntable/secondsPerTurn", 0, false},
+                                             {"/animation/turntable/secondsPerTurn", 1e-30, true},
+                                             {"/animation/turntable/secondsPerTurn", -1e-9, false},
                                              {"/tori/0/scale", 0, false},
                                              {"/tori/0/scale", 1e-30, true}}) {
         json document = full;
@@ -238,6 +242,9 @@ TEST(SceneSchema, SaysTheDefaultsOfTheParser) {
     expectInDescription("/definitions/material/properties/specular", material.specular);
     expectInDescription("/definitions/material/properties/checker/properties/diffuse", checker.diffuse);
     expectInDescription("/definitions/torus/properties/translation", TorusInstance().translation);
+    const std::string turntable = "/properties/animation/properties/turntable/properties/";
+    expectInDescription(turntable + "axis", Turntable().axis);
+    expectInDescription(turntable + "center", Turntable().center);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@ find_package(nlohmann_json REQUIRED)
 find_package(valijson REQUIRED)
 raytorus_add_tests(scene_tests
     SOURCES
+        scene_animation_test.cpp
         scene_json_test.cpp
         scene_fault_test.cpp
         scene_mutation_test.cpp

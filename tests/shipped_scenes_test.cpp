@@ -52,7 +52,8 @@ TEST_P(ShippedScene, IsInTheDocumentation) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ShippedScene,
-                         testing::Values("ring", "chain", "thin", "far", "inside", "nested", "spindle"),
+                         testing::Values("ring", "chain", "thin", "far", "inside", "nested", "spindle",
+                                         "turntable"),
                          [](const auto& scene) { return scene.param; });
 
 TEST(ShippedScenes, AreAllInTheListAbove) {
@@ -60,7 +61,7 @@ TEST(ShippedScenes, AreAllInTheListAbove) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         count += entry.path().extension() == ".json" ? 1U : 0U;
     }
-    EXPECT_EQ(count, 7U);
+    EXPECT_EQ(count, 8U);
 }
 
 /// Each ```json block of docs/scenes.md is a scene that works.
@@ -76,7 +77,7 @@ TEST(ShippedScenes, TheExamplesOfTheDocumentationWork) {
         EXPECT_EQ(test::schemaComplaint(nlohmann::json::parse(example)), "");
         ++examples;
     }
-    EXPECT_EQ(examples, 2U);
+    EXPECT_EQ(examples, 3U);
 }
 
 }  // namespace

@@ -65,7 +65,8 @@ TEST_P(TruthShaders, DrawTheShippedScene) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, TruthShaders,
-                         testing::Values("ring", "chain", "thin", "far", "inside", "nested", "spindle"),
+                         testing::Values("ring", "chain", "thin", "far", "inside", "nested", "spindle",
+                                         "turntable"),
                          [](const auto& instance) { return std::string(instance.param); });
 
 TEST_F(TruthRandomScenes, AreDrawnRight) {

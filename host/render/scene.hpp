@@ -85,6 +85,15 @@ struct TorusInstance {
     bool operator==(const TorusInstance&) const = default;
 };
 
+/// All tori turn rigidly about an axis, counter-clockwise seen from its tip; camera and lights stay.
+struct Turntable {
+    double secondsPerTurn = 10.0;    ///< > 0
+    glm::dvec3 axis{0.0, 0.0, 1.0};  ///< not zero, any length
+    glm::dvec3 center{0.0};          ///< a point that stays where it is
+
+    bool operator==(const Turntable&) const = default;
+};
+
 struct Scene {
     std::string description;
     int imageWidth = 960;
@@ -92,9 +101,10 @@ struct Scene {
     Camera camera;
     Background background;
     Ambient ambient;
-    std::vector<Light> lights;        ///< at most maxLights
-    std::vector<Material> materials;  ///< never empty in a scene that was read
-    std::vector<TorusInstance> tori;
+    std::vector<Light> lights;           ///< at most maxLights
+    std::vector<Material> materials;     ///< never empty in a scene that was read
+    std::vector<TorusInstance> tori;     ///< at time 0
+    std::optional<Turntable> turntable;  ///< none: nothing moves
 
     bool operator==(const Scene&) const = default;
 };

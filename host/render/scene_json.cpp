@@ -261,9 +261,25 @@ void readTori(const JsonNode& node, MaterialTable materials, Scene& scene) {
     scene.materials = std::move(materials.materials);
 }
 
+Turntable readTurntable(const JsonNode& node, const std::vector<TorusInstance>& tori) {
+    node.expectKeys({"secondsPerTurn", "axis", "center"});
+    Turntable turntable;
+    turntable.secondsPerTurn = node.requiredMember("secondsPerTurn").positiveNumber();
+    readOptional(node, "axis", turntable.axis, [](const JsonNode& axis) { return axis.direction(); });
+    readOptional(node, "center", turntable.center, [](const JsonNode& center) { return center.vector(); });
+    const double fromOrigin = glm::length(turntable.center);
+    for (const TorusInstance& torus : tori) {
+        const double reach = torus.scale * (torus.majorRadius + torus.minorRadius);
+        if (!(fromOrigin + glm::distance(turntable.center, torus.translation) + reach <= floatMax)) {
+            node.fail("the tori turn beyond the range of float32 (3.4e38)");
+        }
+    }
+    return turntable;
+}
+
 Scene readRoot(const JsonNode& root) {
     root.expectKeys({"$schema", "description", "image", "camera", "background", "ambient", "lights",
-                     "materials", "tori"});
+                     "materials", "tori", "animation"});
     Scene scene;
     std::string schema;  // for editors: read, so that it is a text, and forgotten
     readOptional(root, "$schema", schema, [](const JsonNode& text) { return text.text(); });
@@ -282,6 +298,10 @@ Scene readRoot(const JsonNode& root) {
     readOptional(root, "materials", materials, readMaterials);
     readTori(root.requiredMember("tori"), std::move(materials), scene);
 
+    if (const std::optional<JsonNode> animation = root.member("animation")) {
+        animation->expectKeys({"turntable"});
+        scene.turntable = readTurntable(animation->requiredMember("turntable"), scene.tori);
+    }
     if (const std::optional<JsonNode> camera = root.member("camera")) {
         scene.camera = readCamera(*camera);
     } else {

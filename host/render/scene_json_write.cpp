@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From the scene to JSON: every key, in the order of docs/scenes.md, numbers with as many digits as they
-// need.
+// From the scene to JSON: every key (that of an animation only if there is one), in the order of
+// docs/scenes.md, numbers with as many digits as they need.
 #include <glm/gtc/quaternion.hpp>
 
 #include "render/scene_json.hpp"
@@ -70,6 +70,12 @@ std::string writeScene(const Scene& scene) {
     json["tori"] = Json::array();
     for (const TorusInstance& torus : scene.tori) {
         json["tori"].push_back(toJson(torus, scene.materials));
+    }
+    if (scene.turntable) {
+        json["animation"] = {{"turntable",
+                              {{"secondsPerTurn", scene.turntable->secondsPerTurn},
+                               {"axis", toJson(scene.turntable->axis)},
+                               {"center", toJson(scene.turntable->center)}}}};
     }
     return json.dump(2) + "\n";
 }
