@@ -7,6 +7,8 @@ raytorus_compile_shaders(raytorus_cli_test_shaders NAMESPACE raytorus::cli_test_
 raytorus_add_tests(cli_tests
     SOURCES
         number_text_test.cpp
+        frame_options_test.cpp
+        picture_writer_test.cpp
         ray_file_test.cpp
         progress_test.cpp
         run_program.cpp
@@ -15,6 +17,7 @@ raytorus_add_tests(cli_tests
         program_usage_test.cpp
         program_exit_code_test.cpp
         program_render_test.cpp
+        program_render_frames_test.cpp
         program_stats_test.cpp
         program_golden_test.cpp
         program_routes_test.cpp

@@ -73,10 +73,10 @@ TEST_F(ProgramDocumentation, ExamplesWork) {
         }
         expectOk(arguments);
     }
-    EXPECT_EQ(examples, 14);
+    EXPECT_EQ(examples, 15);
     EXPECT_TRUE(fileText(folder / "hits.csv").ends_with("\n1,1.75,1.25,0,0,1,0,0\n0,inf,0,0,0,0,0,0\n"));
-    for (const char* name : {"ring.png", "chain.exr", "nested.png", "all.csv", "hits.bin", "difference.png",
-                             "report/index.html", "ray.svg"}) {
+    for (const char* name : {"ring.png", "chain.exr", "nested.png", "turn-11.png", "all.csv", "hits.bin",
+                             "difference.png", "report/index.html", "ray.svg"}) {
         EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
     }
 }

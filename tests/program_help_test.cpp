@@ -84,9 +84,10 @@ TEST_F(ProgramHelp, ShortOptionIsTheSame) {
 
 TEST_F(ProgramHelp, OfRender) {
     const std::string help = expectOk({"render", "--help"});
-    const std::set<std::string> expected = {"-h",       "--help",     "-o",        "--output", "--route",
-                                            "--method", "--size",     "--spp",     "--stats",  "--repeat",
-                                            "--device", "--validate", "--timeout", "--shaders"};
+    const std::set<std::string> expected = {"-h",        "--help",   "-o",    "--output", "--route",
+                                            "--method",  "--size",   "--spp", "--stats",  "--repeat",
+                                            "--time",    "--frames", "--fps", "--device", "--validate",
+                                            "--timeout", "--shaders"};
     EXPECT_EQ(optionsIn(help), expected);
     expectGoodExamples(help);
 }

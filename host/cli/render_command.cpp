@@ -8,14 +8,17 @@
 
 #include "cli/command.hpp"
 #include "cli/device_options.hpp"
+#include "cli/frame_options.hpp"
 #include "cli/method_option.hpp"
 #include "cli/number_text.hpp"
 #include "cli/option_text.hpp"
+#include "cli/picture_writer.hpp"
 #include "cli/progress.hpp"
 #include "cli/render_stats.hpp"
 #include "core/file.hpp"
 #include "image/image_io.hpp"
 #include "render/renderer.hpp"
+#include "render/scene_animation.hpp"
 #include "render/scene_json.hpp"
 #include "truth/truth.hpp"
 
@@ -34,7 +37,8 @@ Examples:
   raytorus render scenes/ring.json -o ring.png
   raytorus render scenes/chain.json -o chain.exr --route compute --stats text
   raytorus render scenes/chain.json -o big.png --size 3840x2160 --spp 16
-  raytorus render scenes/thin.json -o closed_form.png --method closed-form)";
+  raytorus render scenes/thin.json -o closed_form.png --method closed-form
+  raytorus render scenes/turntable.json -o frame-###.png --frames 288 --fps 24)";
 
 struct RenderCommand {
     std::string scene;
@@ -43,6 +47,7 @@ struct RenderCommand {
     std::string samples = "1";
     std::string route = "fragment";
     std::string stats;
+    FrameOptions frames;
     render::RenderOptions options;
     std::string method;
     bool exact = false;  // by the reference
@@ -111,6 +116,9 @@ void readOptions(RenderCommand& command) {
                     fmt::format("--output must end in .exr or .png, not \"{}\"", command.output));
     }
     command.options.aovs = extension == ".exr";
+    if (command.frames.sequence() && (!command.stats.empty() || command.options.repeats > 1)) {
+        throw Error(ExitCode::Usage, "--stats and --repeat are for one picture, not for --frames");
+    }
     command.exact = isReference(command.method, command.device);
     if (command.exact && !command.stats.empty()) {
         throw Error(ExitCode::Usage, "--stats tells of a device, and --method reference has none");
@@ -122,49 +130,109 @@ void readOptions(RenderCommand& command) {
 
 image::Image renderExactly(const render::Scene& scene, const render::RenderOptions& options) {
     const auto [width, height] = render::pictureSize(scene, options);
-    Progress progress("rendering");
     truth::TruthOptions exact;
     exact.samplesPerSide = options.samplesPerSide;
     exact.aovs = options.aovs;
-    exact.progress = [&progress](double done) { progress.show(done); };
+    exact.progress = options.progress;
     return truth::renderTruth(scene, width, height, exact);
 }
 
-ExitCode runRender(RenderCommand command) {
-    const Clock::time_point begin = Clock::now();
-    StopWatch watch;
-    readOptions(command);
-    RenderStats stats;
-    const render::Scene scene = render::readScene(command.scene);
-    stats.read = watch.lap();
-    // Throws if the file cannot be written, else leaves nothing: better now than after the work of minutes.
-    OutputFile(command.output);
-    if (command.exact) {
-        const image::Image picture = renderExactly(scene, command.options);
+using Draw = std::function<image::Image(const render::Scene&, const render::RenderOptions&)>;
+
+// Frame k is written while frame k + 1 is drawn.
+void renderFrames(const RenderCommand& command, const render::Scene& scene, const std::vector<Frame>& frames,
+                  const Draw& draw) {
+    Progress progress(fmt::format("rendering {} frames", frames.size()));
+    PictureWriter writer(1, image::writeImage);
+    render::RenderOptions options = command.options;
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+        options.progress = [&](double done) {
+            progress.show((static_cast<double>(k) + done) / static_cast<double>(frames.size()));
+        };
+        image::Image picture = draw(render::sceneAt(scene, frames[k].seconds), options);
         requireFinite(picture);
-        image::writeImage(command.output, picture);
-        return ExitCode::Ok;
+        writer.write(frames[k].output, std::move(picture));
     }
+    writer.finish();
+}
+
+void renderSequence(const RenderCommand& command, const render::Scene& scene,
+                    const std::vector<Frame>& frames) {
+    if (command.exact) {
+        renderFrames(command, scene, frames, renderExactly);
+        return;
+    }
+    withDevice(command.device, [&](gpu::Context& context) {
+        render::PipelineStore pipelines;
+        renderFrames(command, scene, frames, [&](const render::Scene& moment, render::RenderOptions options) {
+            options.pipelines = &pipelines;
+            return render::render(context, moment, options).picture;
+        });
+    });
+}
+
+// What has been measured so far of a single picture.
+struct Measured {
+    Clock::time_point begin = Clock::now();
+    StopWatch watch;
+    RenderStats stats;
+};
+
+image::Image renderOnDevice(const RenderCommand& command, const render::Scene& scene,
+                            const render::RenderOptions& options, Measured& measured) {
     render::RenderResult result;
     withDevice(command.device, [&](gpu::Context& context) {
-        stats.instance = watch.lap();
-        stats.device = context.info();
-        Progress progress("rendering");
-        command.options.progress = [&progress](double done) { progress.show(done); };
-        result = render::render(context, scene, command.options);
+        measured.stats.instance = measured.watch.lap();
+        measured.stats.device = context.info();
+        result = render::render(context, scene, options);
     });
-    requireFinite(result.picture);
-    watch.lap();
-    image::writeImage(command.output, result.picture);
-    stats.write = watch.lap();
-    stats.render = result.times;
-    stats.route = command.options.route;
-    stats.width = result.picture.width;
-    stats.height = result.picture.height;
-    stats.samplesPerPixel = command.options.samplesPerSide * command.options.samplesPerSide;
-    stats.total = std::chrono::duration<double>(Clock::now() - begin).count();
+    measured.stats.render = result.times;
+    measured.watch.lap();
+    return std::move(result.picture);
+}
+
+void renderPicture(const RenderCommand& command, const render::Scene& scene, Measured& measured) {
+    RenderStats& stats = measured.stats;
+    render::RenderOptions options = command.options;
+    image::Image picture;
+    {
+        Progress progress("rendering");
+        options.progress = [&progress](double done) { progress.show(done); };
+        picture =
+            command.exact ? renderExactly(scene, options) : renderOnDevice(command, scene, options, measured);
+    }
+    requireFinite(picture);
+    image::writeImage(command.output, picture);
+    stats.write = measured.watch.lap();
+    stats.route = options.route;
+    stats.width = picture.width;
+    stats.height = picture.height;
+    stats.samplesPerPixel = options.samplesPerSide * options.samplesPerSide;
+    stats.total = std::chrono::duration<double>(Clock::now() - measured.begin).count();
     if (!command.stats.empty()) {
         fmt::print("{}\n", command.stats == "json" ? statsJson(stats) : statsText(stats));
+    }
+}
+
+ExitCode runRender(RenderCommand command) {
+    Measured measured;
+    readOptions(command);
+    const std::vector<Frame> frames = framesOf(command.frames, command.output);
+    const render::Scene scene = render::readScene(command.scene);
+    if (command.frames.moves() && !scene.turntable) {
+        throw Error(ExitCode::Usage,
+                    fmt::format("{} has no animation, and so no other moments for --time and --frames",
+                                command.scene));
+    }
+    measured.stats.read = measured.watch.lap();
+    // Throws if a file cannot be written, else leaves nothing: better now than after the work of minutes.
+    for (const Frame& frame : frames) {
+        OutputFile(frame.output);
+    }
+    if (command.frames.sequence()) {
+        renderSequence(command, scene, frames);
+    } else {
+        renderPicture(command, render::sceneAt(scene, frames.front().seconds), measured);
     }
     return ExitCode::Ok;
 }
@@ -191,6 +259,7 @@ void addRenderCommand(CLI::App& app, Action& action) {
                     "Render so many times and let --stats show the fastest, without what happens only once")
         ->check(CLI::Range(1, 1000000))
         ->option_text("N [1]");
+    addFrameOptions(*sub, command->frames);
     addMethodOrReferenceOption(*sub, command->method);
     addDeviceOptions(*sub, command->device);
     sub->footer(footer);
