@@ -7,7 +7,6 @@
 
 #include <utility>
 
-
 #include "viewer/legend.hpp"
 
 namespace raytorus::viewer {

@@ -85,7 +85,7 @@ struct State {
     bool closing = false;
     bool fullScreenRequest = false;
     std::vector<std::string> screenshotRequests;  ///< extensions of files to write the picture to
-    std::string clipboardRequest;   ///< text to be put there
+    std::string clipboardRequest;                 ///< text to be put there
     bool windowShotRequest = false;
     bool panelFocusRequest = false;
     bool saveRequest = false;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "render/scene_animation.hpp"
 #include "viewer/capture.hpp"
 #include "viewer/navigation.hpp"
 #include "viewer/overlays.hpp"
@@ -29,7 +30,7 @@ ShaderVersion ViewerLoop::versionOf(const Side& side) const {
 
 void ViewerLoop::updatePictures(VkExtent2D size) {
     Wish wish;
-    wish.scene = state.scene;
+    wish.scene = render::sceneAt(state.scene, state.animation.seconds);
     wish.shaders = {shadersOf(state.left), shadersOf(state.right)};
     wish.shaderVersions = {versionOf(state.left), versionOf(state.right)};
     wish.routes = {state.left.route, state.right.route};

@@ -61,7 +61,8 @@ void ViewerLoop::run() {
 }
 
 bool ViewerLoop::isScript() const {
-    return options.frames > 0 || !options.screenshot.empty() || !options.windowScreenshot.empty();
+    return options.frames > 0 || !options.sequence.empty() || !options.screenshot.empty() ||
+           !options.windowScreenshot.empty();
 }
 
 void ViewerLoop::say(const std::string& text) {
@@ -173,6 +174,9 @@ void ViewerLoop::serve() {
         log.write("copied", {{"text", text}});
         say("copied: " + text);
     }
+    if ((state.pickRequest || !state.screenshotRequests.empty()) && animated() && !isScript()) {
+        state.animation.playing = false;  // what moves is never complete
+    }
     if (std::exchange(state.fullScreenRequest, false)) {
         window.toggleFullScreen();
         log.write("fullscreen");
@@ -189,7 +193,8 @@ void ViewerLoop::serve() {
     state.selectedTorus = std::min(state.selectedTorus, state.scene.tori.size() - 1);
 }
 
-// What keys have asked for that takes the picture as it is now: in the round that has seen all that they changed.
+// What keys have asked for that takes the picture as it is now: in the round that has seen all that they
+// changed.
 void ViewerLoop::serveAtRest() {
     if (!pictures.settled()) {
         return;
@@ -237,7 +242,10 @@ void ViewerLoop::saveScene() {
     const std::string text = render::writeScene(scene);
     writeFile(path, std::as_bytes(std::span(text)));
     log.write("saved", {{"file", path.string()}});
-    say("saved " + path.string());
+    say(state.animation.seconds == 0.0 || !animated()
+            ? fmt::format("saved {}", path.string())
+            : fmt::format("saved {}; it is seen at {} s: raytorus render --time", path.string(),
+                          state.animation.seconds));
 }
 
 void ViewerLoop::saveScreenshot(const std::filesystem::path& path) {
@@ -263,10 +271,27 @@ void ViewerLoop::finishScript() {
     if (!scriptDone() || !written || framesShown < options.frames) {
         return;
     }
+    if (sequenceWritten < options.sequence.size()) {
+        finishSequence();
+        return;
+    }
     if (!options.screenshot.empty()) {
         saveScreenshot(options.screenshot);
     }
     state.closing = true;
+}
+
+// Writes the picture that is complete and goes on to the next moment.
+void ViewerLoop::finishSequence() {
+    const cli::Frame& frame = options.sequence[sequenceWritten];
+    if (state.animation.seconds == frame.seconds) {
+        saveScreenshot(frame.output);
+        ++sequenceWritten;
+    }
+    if (sequenceWritten < options.sequence.size()) {
+        state.animation.seconds = options.sequence[sequenceWritten].seconds;
+        viewStale = true;
+    }
 }
 
 }  // namespace raytorus::viewer

@@ -48,7 +48,7 @@ private:
     [[nodiscard]] double clock() const { return std::chrono::duration<double>(Clock::now() - begin).count(); }
     [[nodiscard]] bool isScript() const;
 
-    [[nodiscard]] bool animated() const { return false; }
+    [[nodiscard]] bool animated() const { return state.scene.turntable.has_value(); }
     void say(const std::string& text);
 
     // A fault of what was asked for is told, and the viewer goes on; only a lost device and its like end it.
@@ -93,6 +93,7 @@ private:
     // Everything that a script waits for is there, this frame included.
     [[nodiscard]] bool scriptDone() const;
     void finishScript();
+    void finishSequence();
 
     const ViewerOptions& options;
     Window& window;
@@ -120,6 +121,7 @@ private:
     bool windowWritten = false;
     int dirtyFrames = uiFrames;
     int framesShown = 0;
+    std::size_t sequenceWritten = 0;
     int movedFrames = 0;  // of the moving pictures that have not been told of
     double movedSeconds = 0.0;
 };

@@ -29,10 +29,11 @@ Examples:
   raytorus-view scenes/chain.json --wipe closed-form-naive
   raytorus-view scenes/ring.json --edit shaders --wipe raytorus
   raytorus-view scenes/ring.json --size 800x600 --frames 1 --screenshot ring.exr
+  raytorus-view scenes/turntable.json --view steps --sequence steps-##.png --frames 48 --fps 24
   xvfb-run raytorus-view scenes/ring.json --view steps --window-screenshot window.png)";
 
 struct Texts {
-    std::string size, view = "shaded", route = "fragment", wipe, samples = "4", pick;
+    std::string size, view = "shaded", route = "fragment", wipe, samples = "4", pick, sequence, rate;
     bool noPanel = false;
     bool listViews = false, listKeys = false;
 };
@@ -72,6 +73,22 @@ void requireImageName(const char* option, const std::string& path, bool pngAlone
     }
 }
 
+void readSequence(const Texts& texts, ViewerOptions& options) {
+    requireImageName("--sequence", texts.sequence, false);
+    if (texts.sequence.empty() && !texts.rate.empty()) {
+        throw Error(ExitCode::Usage, "--fps needs --sequence");
+    }
+    if (!texts.sequence.empty()) {
+        const std::string count = options.frames > 0 ? std::to_string(options.frames) : "";
+        if (count.empty()) {
+            throw Error(ExitCode::Usage, "--sequence needs --frames");
+        }
+        options.sequence =
+            cli::framesOf({fmt::format("{}", options.time), count, texts.rate}, texts.sequence);
+        options.frames = 1;
+    }
+}
+
 void readTexts(const Texts& texts, ViewerOptions& options) {
     if (!texts.size.empty()) {
         std::tie(options.width, options.height) = cli::sizeOption(texts.size);
@@ -101,6 +118,7 @@ void readTexts(const Texts& texts, ViewerOptions& options) {
         readPick(texts.pick, options);
     }
     options.panel = !texts.noPanel;
+    readSequence(texts, options);
     requireImageName("--screenshot", options.screenshot, false);
     requireImageName("--window-screenshot", options.windowScreenshot, true);
 }
@@ -138,7 +156,7 @@ std::optional<ViewerOptions> parseOptions(const std::vector<std::string>& argume
     app.add_flag("--no-panel", texts.noPanel, "Begin without the panel (Tab shows it)");
     app.add_flag("--keys", options.help, "Begin with the help on keys");
     app.add_option("--pick", texts.pick, "Take this pixel apart at the beginning")->option_text("X,Y");
-    app.add_option("--frames", options.frames, "Close after so many frames")
+    app.add_option("--frames", options.frames, "Close after so many frames, or pictures of a sequence")
         ->check(CLI::Range(1, 1000000000))
         ->option_text("N");
     app.add_option("--screenshot", options.screenshot, "Write the picture, then close")
@@ -146,6 +164,11 @@ std::optional<ViewerOptions> parseOptions(const std::vector<std::string>& argume
     app.add_option("--window-screenshot", options.windowScreenshot,
                    "Write the window with its panels, then close")
         ->option_text("FILE.png");
+    app.add_option("--sequence", texts.sequence,
+                   "Write so many pictures of an animation, numbered where the name has ####, then close")
+        ->option_text("FILE-####.png|.exr");
+    app.add_option("--fps", texts.rate, "Frames a second of the scene's time, with --sequence")
+        ->option_text("F");
     app.add_flag("--events", options.events, "Print what happens as lines of JSON");
     app.add_flag("--list-views", texts.listViews, "Print the views");
     app.add_flag("--list-keys", texts.listKeys, "Print what keys and pointer do");

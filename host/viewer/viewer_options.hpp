@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/device_options.hpp"
+#include "cli/frame_options.hpp"
 #include "render/picture_drawing.hpp"
 #include "viewer/view_list.hpp"
 
@@ -32,7 +33,8 @@ struct ViewerOptions {
     bool panel = true;
     bool help = false;
     std::optional<std::pair<int, int>> pick;
-    int frames = 0;  ///< 0: until the window is closed
+    int frames = 0;                    ///< 0: until the window is closed
+    std::vector<cli::Frame> sequence;  ///< pictures to be written, one after the other
     std::string screenshot;
     std::string windowScreenshot;
     bool events = false;

@@ -136,10 +136,11 @@ std::vector<const char*> Window::instanceExtensions() {
     std::uint32_t count = 0;
     const char** names = glfwGetRequiredInstanceExtensions(&count);
     if (names == nullptr) {
-        throw Error(ExitCode::NoDevice,
-                    "no Vulkan driver was found that can draw to this display's windows: install one (Debian: "
-                    "mesa-vulkan-drivers has one that needs no GPU), or correct VK_DRIVER_FILES / "
-                    "VK_ICD_FILENAMES if you set them");
+        throw Error(
+            ExitCode::NoDevice,
+            "no Vulkan driver was found that can draw to this display's windows: install one (Debian: "
+            "mesa-vulkan-drivers has one that needs no GPU), or correct VK_DRIVER_FILES / "
+            "VK_ICD_FILENAMES if you set them");
     }
     return {names, names + count};
 }
