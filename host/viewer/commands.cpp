@@ -185,6 +185,8 @@ const std::array list = {
             [](State& state) { state.reloadRequest = true; }},
     Command{"F11", GLFW_KEY_F11, 0, "Window", "full screen on and off",
             [](State& state) { state.fullScreenRequest = true; }},
+    Command{"Shift+F11", GLFW_KEY_F11, shift, "Window", "minimise",
+            [](State& state) { state.minimiseRequest = true; }},
     Command{"Esc", GLFW_KEY_ESCAPE, 0, "Window", "close what lies over the picture",
             [](State& state) {
                 state.help = false;

@@ -17,6 +17,11 @@ constexpr ImGuiWindowFlags bare = plain | ImGuiWindowFlags_NoTitleBar | ImGuiWin
                                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs |
                                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
 
+// Where the picture is, in the units of the window.
+struct Place {
+    float x, y, width, height;
+};
+
 // The group of keys that begins the right half of the help.
 constexpr std::string_view secondColumn = "Method";
 
@@ -79,27 +84,24 @@ void drawPick(State& state) {
 }
 
 // Crosshairs round the pixel that is taken apart.
-void drawMarker(const State& state, VkRect2D picture) {
+void drawMarker(const State& state, const Place& picture) {
     const VkExtent2D extent = state.statistics.extent;
     if (extent.width == 0 || extent.height == 0) {
         return;
     }
-    const float x = static_cast<float>(picture.offset.x) + (static_cast<float>(state.pick->x) + 0.5F) /
-                                                               static_cast<float>(extent.width) *
-                                                               static_cast<float>(picture.extent.width);
-    const float y = static_cast<float>(picture.offset.y) + (static_cast<float>(state.pick->y) + 0.5F) /
-                                                               static_cast<float>(extent.height) *
-                                                               static_cast<float>(picture.extent.height);
+    const float x = picture.x + (static_cast<float>(state.pick->x) + 0.5F) /
+                                    static_cast<float>(extent.width) * picture.width;
+    const float y = picture.y + (static_cast<float>(state.pick->y) + 0.5F) /
+                                    static_cast<float>(extent.height) * picture.height;
     ImDrawList* list = ImGui::GetBackgroundDrawList();
     list->AddCircle({x, y}, 7.0F, IM_COL32(0, 0, 0, 255), 24, 3.0F);
     list->AddCircle({x, y}, 7.0F, IM_COL32(255, 255, 255, 255), 24, 1.5F);
 }
 
-void drawWipe(const State& state, const std::vector<MethodEntry>& methods, VkRect2D picture) {
-    const float x = static_cast<float>(picture.offset.x) +
-                    static_cast<float>(state.wipeAt) * static_cast<float>(picture.extent.width);
-    const float top = static_cast<float>(picture.offset.y);
-    const float bottom = top + static_cast<float>(picture.extent.height);
+void drawWipe(const State& state, const std::vector<MethodEntry>& methods, const Place& picture) {
+    const float x = picture.x + static_cast<float>(state.wipeAt) * picture.width;
+    const float top = picture.y;
+    const float bottom = top + picture.height;
     ImDrawList* list = ImGui::GetBackgroundDrawList();
     list->AddLine({x, top}, {x, bottom}, IM_COL32(0, 0, 0, 160), 4.0F);
     list->AddLine({x, top}, {x, bottom}, IM_COL32(255, 255, 255, 230), 1.5F);
@@ -152,7 +154,12 @@ void drawMessage(const State& state) {
 
 }  // namespace
 
-void drawOverlays(State& state, const std::vector<MethodEntry>& methods, VkRect2D picture, double now) {
+void drawOverlays(State& state, const std::vector<MethodEntry>& methods, VkRect2D pixels, double now) {
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;  // ImGui counts in the window's units
+    const Place picture{static_cast<float>(pixels.offset.x) / scale.x,
+                        static_cast<float>(pixels.offset.y) / scale.y,
+                        static_cast<float>(pixels.extent.width) / scale.x,
+                        static_cast<float>(pixels.extent.height) / scale.y};
     if (state.wipe) {
         drawWipe(state, methods, picture);
     }

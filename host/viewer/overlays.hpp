@@ -10,7 +10,7 @@
 
 namespace raytorus::viewer {
 
-/// picture: where in the window the picture is. now: the loop's clock.
-void drawOverlays(State& state, const std::vector<MethodEntry>& methods, VkRect2D picture, double now);
+/// pixels: where in the framebuffer the picture is. now: the loop's clock.
+void drawOverlays(State& state, const std::vector<MethodEntry>& methods, VkRect2D pixels, double now);
 
 }  // namespace raytorus::viewer

@@ -84,6 +84,7 @@ struct State {
 
     bool closing = false;
     bool fullScreenRequest = false;
+    bool minimiseRequest = false;
     std::vector<std::string> screenshotRequests;  ///< extensions of files to write the picture to
     std::string clipboardRequest;                 ///< text to be put there
     bool windowShotRequest = false;

@@ -177,6 +177,10 @@ void ViewerLoop::serve() {
     if ((state.pickRequest || !state.screenshotRequests.empty()) && animated() && !isScript()) {
         state.animation.playing = false;  // what moves is never complete
     }
+    if (std::exchange(state.minimiseRequest, false)) {
+        window.minimise();
+        log.write("minimised");
+    }
     if (std::exchange(state.fullScreenRequest, false)) {
         window.toggleFullScreen();
         log.write("fullscreen");
