@@ -76,7 +76,7 @@ Gui::Gui(gpu::Context& context, const Window& window, const Swapchain& swapchain
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;  // nothing is left behind in the folder that the program runs in
-    io.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange | ImGuiConfigFlags_NavEnableKeyboard;
+    io.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
     const float scale = window.contentScale();
     addFonts(scale);
     setStyle(scale);
@@ -109,7 +109,13 @@ Gui::~Gui() {
 void Gui::begin() {
     ImGui_ImplVulkan_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    // Panels have the keys when told to, until Esc or the pointer takes them away: arrows are the camera's.
+    ImGuiIO& io = ImGui::GetIO();
+    const bool had = io.NavVisible;
     ImGui::NewFrame();
+    if (had && !io.NavVisible) {
+        io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+    }
 }
 
 void Gui::end() {

@@ -113,9 +113,9 @@ void showStatistics(const State& state, const PanelInfo& info) {
     ImGui::PopTextWrapPos();
 }
 
-// The window that is being drawn has the keys, its first item to begin with. A window that is merely in front
-// gets none of them before an arrow has moved in it.
+// The window that is being drawn has the keys, its first item to begin with. Gui takes them back.
 void takeKeys() {
+    ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     ImGui::NavInitWindow(ImGui::GetCurrentWindow(), true);
     ImGui::GetCurrentContext()->NavDisableHighlight = false;
 }
