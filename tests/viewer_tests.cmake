@@ -13,10 +13,13 @@ raytorus_add_tests(viewer_tests
         run_program.cpp
         viewer_documentation_test.cpp
         window_display.cpp
+        window_failure_test.cpp
         window_hand_test.cpp
+        window_key_test.cpp
         window_picture_test.cpp
         window_process.cpp
         window_reload_test.cpp
+        window_size_test.cpp
         window_test.cpp
         window_view_test.cpp
     LIBRARIES raytorus::viewer nlohmann_json::nlohmann_json PkgConfig::XCB)

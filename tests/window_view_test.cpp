@@ -47,8 +47,9 @@ TEST_F(WindowView, EachShowsAnotherPicture) {
 
 TEST_F(WindowView, ReferenceAgreesWithTheLibraryAsPromised) {
     // In its own frame: the position is the library's answer, and nothing is added to its error.
-    writeText(folder / "plain.json",
-              R"({"image": {"width": 160, "height": 120}, "camera": {"position": [1.2, -3.3, 2.4], "target": [0, 0, 0]},
+    writeText(
+        folder / "plain.json",
+        R"({"image": {"width": 160, "height": 120}, "camera": {"position": [1.2, -3.3, 2.4], "target": [0, 0, 0]},
                   "tori": [{"majorRadius": 1, "minorRadius": 0.42}]})");
     open({"plain.json", "--no-panel", "--spp", "1", "--view", "reference"});
     const Json plain = analysed();
