@@ -81,6 +81,15 @@ Gui::Gui(gpu::Context& context, const Window& window, const Swapchain& swapchain
     addFonts(scale);
     setStyle(scale);
     ImGui_ImplGlfw_InitForVulkan(window.get(), true);
+    try {
+        startDrawing(context, swapchain);
+    } catch (...) {
+        stop();  // a constructor that throws runs no destructor
+        throw;
+    }
+}
+
+void Gui::startDrawing(gpu::Context& context, const Swapchain& swapchain) {
     ImGui_ImplVulkan_InitInfo info{};
     info.Instance = context.instance();
     info.PhysicalDevice = context.info().handle;
@@ -100,6 +109,10 @@ Gui::Gui(gpu::Context& context, const Window& window, const Swapchain& swapchain
 }
 
 Gui::~Gui() {
+    stop();
+}
+
+void Gui::stop() const {
     vkDeviceWaitIdle(device);
     ImGui_ImplVulkan_Shutdown();
     ImGui_ImplGlfw_Shutdown();

@@ -36,6 +36,9 @@ public:
     [[nodiscard]] bool takesKeys() const;
 
 private:
+    void startDrawing(gpu::Context& context, const Swapchain& swapchain);
+    void stop() const;
+
     gpu::Handle<VkDescriptorPool, vkDestroyDescriptorPool> pool;
     VkDevice device;
 };

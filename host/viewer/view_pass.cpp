@@ -5,6 +5,7 @@
 #include <array>
 
 #include "gpu/commands.hpp"
+#include "image/srgb.hpp"
 #include "raytorus_view_shaders.hpp"
 
 namespace raytorus::viewer {
@@ -79,6 +80,7 @@ void ViewPass::draw(const render::LivePicture& left, const render::LivePicture* 
                           VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
     });
     shownExtent = extent;
+    shownLinear = push.linear != 0;
 }
 
 image::Image ViewPass::readBack() {
@@ -93,6 +95,11 @@ image::Image ViewPass::readBack() {
     const std::span<const float> values = buffer.as<const float>();
     for (std::size_t i = 0; i < pixels; ++i) {
         std::copy_n(&values[4 * i], 3, &picture.pixels[3 * i]);
+    }
+    if (shownLinear) {
+        for (float& value : picture.pixels) {
+            value = static_cast<float>(image::encodeSrgb(value)) / 255.0F;
+        }
     }
     return picture;
 }

@@ -37,6 +37,7 @@ private:
     gpu::Image output;
     gpu::Image analysis;
     VkExtent2D shownExtent{};
+    bool shownLinear = false;
 };
 
 }  // namespace raytorus::viewer
