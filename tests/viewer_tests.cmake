@@ -6,6 +6,7 @@ if(NOT TARGET raytorus-view)
     return()
 endif()
 find_package(nlohmann_json REQUIRED)
+find_package(Vulkan REQUIRED)
 pkg_check_modules(XCB REQUIRED IMPORTED_TARGET xcb)
 
 raytorus_add_tests(viewer_tests
@@ -14,6 +15,7 @@ raytorus_add_tests(viewer_tests
         viewer_documentation_test.cpp
         window_display.cpp
         window_failure_test.cpp
+        window_fault_test.cpp
         window_hand_test.cpp
         window_key_test.cpp
         window_picture_test.cpp
@@ -23,7 +25,18 @@ raytorus_add_tests(viewer_tests
         window_test.cpp
         window_view_test.cpp
     LIBRARIES raytorus::viewer nlohmann_json::nlohmann_json PkgConfig::XCB)
-add_dependencies(viewer_tests raytorus raytorus-view)
+
+# A Vulkan layer that fails windows on time, with a manifest for the loader.
+add_library(raytorus_fault_layer MODULE layer_faults.cpp layer_schedule.cpp)
+set_target_properties(raytorus_fault_layer PROPERTIES CXX_VISIBILITY_PRESET hidden)
+target_link_libraries(raytorus_fault_layer PRIVATE raytorus_warnings Vulkan::Headers)
+set(fault_layer_folder "${CMAKE_CURRENT_BINARY_DIR}/fault_layer")
+file(READ "${CMAKE_CURRENT_SOURCE_DIR}/layer_faults.json.in" manifest)
+string(REPLACE "@library@" "$<TARGET_FILE:raytorus_fault_layer>" manifest "${manifest}")
+file(GENERATE OUTPUT "${fault_layer_folder}/layer_faults.json" CONTENT "${manifest}")
+
+add_dependencies(viewer_tests raytorus raytorus-view raytorus_fault_layer)
 target_compile_definitions(viewer_tests PRIVATE
+    RAYTORUS_FAULT_LAYER_FOLDER="${fault_layer_folder}"
     RAYTORUS_PROGRAM="$<TARGET_FILE:raytorus>"
     RAYTORUS_VIEW="$<TARGET_FILE:raytorus-view>")
