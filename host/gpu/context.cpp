@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "core/error.hpp"
@@ -33,6 +35,20 @@ VkInstance makeInstance(const VkInstanceCreateInfo& info) {
     }
     check(result, "vkCreateInstance");
     return instance;
+}
+
+// The extension; the one feature it has comes with it.
+bool offersPipelineStatistics(VkPhysicalDevice device) {
+    std::uint32_t count = 0;
+    check(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, nullptr),
+          "vkEnumerateDeviceExtensionProperties");
+    std::vector<VkExtensionProperties> extensions(count);
+    check(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, extensions.data()),
+          "vkEnumerateDeviceExtensionProperties");
+    return std::any_of(extensions.begin(), extensions.end(), [](const VkExtensionProperties& extension) {
+        return std::string_view(extension.extensionName) ==
+               VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME;
+    });
 }
 
 }  // namespace
@@ -110,12 +126,27 @@ void Context::createDevice(const ContextOptions& options) {
     features.dynamicRendering = VK_TRUE;
     features.synchronization2 = VK_TRUE;
     features.maintenance4 = VK_TRUE;  // glslang writes workgroup sizes in the form that needs it
+    VkPhysicalDeviceFeatures available{};
+    vkGetPhysicalDeviceFeatures(deviceInfo.handle, &available);
+    float64 = options.float64 && available.shaderFloat64 == VK_TRUE;
+    VkPhysicalDeviceFeatures enabled{};
+    enabled.shaderFloat64 = float64 ? VK_TRUE : VK_FALSE;
+    std::vector<const char*> extensions = options.deviceExtensions;
+    VkPhysicalDevicePipelineExecutablePropertiesFeaturesKHR executables{
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PIPELINE_EXECUTABLE_PROPERTIES_FEATURES_KHR};
+    executables.pipelineExecutableInfo = VK_TRUE;
+    pipelineStatistics = options.pipelineStatistics && offersPipelineStatistics(deviceInfo.handle);
+    if (pipelineStatistics) {
+        extensions.push_back(VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME);
+        features.pNext = &executables;
+    }
     VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
     info.pNext = &features;
+    info.pEnabledFeatures = &enabled;
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queueInfo;
-    info.enabledExtensionCount = static_cast<std::uint32_t>(options.deviceExtensions.size());
-    info.ppEnabledExtensionNames = options.deviceExtensions.data();
+    info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
+    info.ppEnabledExtensionNames = extensions.data();
     check(vkCreateDevice(deviceInfo.handle, &info, nullptr, &deviceScope.device), "vkCreateDevice");
     vkGetDeviceQueue(deviceScope.device, deviceInfo.queueFamily, 0, &vkQueue);
 }

@@ -21,6 +21,9 @@ struct ContextOptions {
     double timeoutSeconds = 120.0;                ///< for one submission; then the device counts as lost
     std::vector<const char*> instanceExtensions;  ///< for windows, which gpu/ itself knows nothing of
     std::vector<const char*> deviceExtensions;
+    // Switched on where the device has it; then Context::hasFloat64 or hasPipelineStatistics says so.
+    bool float64 = false;             ///< doubles in shaders
+    bool pipelineStatistics = false;  ///< VK_KHR_pipeline_executable_properties
 };
 
 class Context {
@@ -36,6 +39,8 @@ public:
     [[nodiscard]] VkDevice device() const { return deviceScope.device; }
     [[nodiscard]] VkQueue queue() const { return vkQueue; }
     [[nodiscard]] const DeviceInfo& info() const { return deviceInfo; }
+    [[nodiscard]] bool hasFloat64() const { return float64; }
+    [[nodiscard]] bool hasPipelineStatistics() const { return pipelineStatistics; }
 
     /// Records commands, runs them and waits until they are done.
     void submit(const std::function<void(VkCommandBuffer)>& record);
@@ -60,6 +65,8 @@ private:
     DeviceInfo deviceInfo;
     DeviceScope deviceScope;
     VkQueue vkQueue = VK_NULL_HANDLE;
+    bool float64 = false;
+    bool pipelineStatistics = false;
     Handle<VkCommandPool, vkDestroyCommandPool> commandPool;
     Handle<VkFence, vkDestroyFence> fence;
     VkCommandBuffer commandBuffer = VK_NULL_HANDLE;

@@ -113,6 +113,7 @@ Pipeline makeComputePipeline(const Context& context, const ShaderModule& shader,
     Pipeline result(context, info, VK_PIPELINE_BIND_POINT_COMPUTE);
     const Specialization specialization(info);
     VkComputePipelineCreateInfo pipelineInfo{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
+    pipelineInfo.flags = info.flags;
     pipelineInfo.stage = stageInfo(VK_SHADER_STAGE_COMPUTE_BIT, shader, specialization);
     pipelineInfo.layout = result.layout.get();
     VkPipeline created = VK_NULL_HANDLE;

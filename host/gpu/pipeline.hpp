@@ -27,6 +27,7 @@ struct PipelineLayoutInfo {
     VkShaderStageFlags stages = VK_SHADER_STAGE_COMPUTE_BIT;
     /// Values of the specialization constants 0, 1, 2, ...; booleans are 0 and 1.
     std::vector<std::uint32_t> specialization;
+    VkPipelineCreateFlags flags = 0;  ///< of compute pipelines
 };
 
 class Pipeline {
