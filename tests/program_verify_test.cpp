@@ -207,9 +207,11 @@ TEST_F(ProgramVerify, OtherMethodsHavePromisedNothing) {
         run({"--method", "closed-form-naive", "--class", "camera", "--distance", "1000", "--rays", "100"});
     EXPECT_EQ(result.exitCode, 0) << testing::PrintToString(result);
     EXPECT_EQ(result.out.find("replay"), std::string::npos);
-    expectUsageError({"--method", "magic"},
-                     "--method: there is no method \"magic\" (there are raytorus newton-quartic minima-first "
-                     "closed-form-polished closed-form closed-form-naive sphere-tracing)");
+    expectUsageError(
+        {"--method", "magic"},
+        "--method: there is no method \"magic\" (there are raytorus newton-quartic bracketed-newton "
+        "minima-first closed-form-polished closed-form closed-form-naive closed-form-common "
+        "sphere-tracing sphere-tracing-exact)");
 }
 
 }  // namespace

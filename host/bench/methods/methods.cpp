@@ -6,12 +6,15 @@
 #include <algorithm>
 #include <array>
 
+#include "raytorus_method_bracketed_newton.hpp"
 #include "raytorus_method_closed_form.hpp"
+#include "raytorus_method_closed_form_common.hpp"
 #include "raytorus_method_closed_form_naive.hpp"
 #include "raytorus_method_closed_form_polished.hpp"
 #include "raytorus_method_minima_first.hpp"
 #include "raytorus_method_newton_quartic.hpp"
 #include "raytorus_method_sphere_tracing.hpp"
+#include "raytorus_method_sphere_tracing_exact.hpp"
 
 namespace raytorus {
 
@@ -28,6 +31,8 @@ std::span<const Method> methods() {
                render::ShaderSource(), exact},
         Method{"newton-quartic", "monotone Newton on the convex and concave pieces of the reduced quartic",
                render::ShaderSource(newton_quartic::find), exact},
+        Method{"bracketed-newton", "bracketed Newton between the critical points of the reduced quartic",
+               render::ShaderSource(bracketed_newton::find), exact},
         Method{"minima-first", "signs at the closed-form minima of the reduced quartic, then Newton",
                render::ShaderSource(minima_first::find), exact},
         Method{"closed-form-polished",
@@ -37,8 +42,12 @@ std::span<const Method> methods() {
                render::ShaderSource(closed_form::find), 2e-3},
         Method{"closed-form-naive", "the quartic of the ray in world space by its formula, in plain float32",
                render::ShaderSource(closed_form_naive::find), 2e-3},
+        Method{"closed-form-common", "the same in world space as it is usually pasted, but tuned",
+               render::ShaderSource(closed_form_common::find), 2e-3},
         Method{"sphere-tracing", "marching along the distance to the surface, to 1e-4 r",
                render::ShaderSource(sphere_tracing::find), 1e-3},
+        Method{"sphere-tracing-exact", "the same on the library's reduced line, with its exact last step",
+               render::ShaderSource(sphere_tracing_exact::find), exact},
     };
     return table;
 }
