@@ -59,6 +59,9 @@ Context::Context(const ContextOptions& options, std::shared_ptr<ValidationLog> m
         createInstance(options);
         deviceInfo = pickDevice(listDevices(vkInstance, options.deviceExtensions), options.device);
         createDevice(options);
+        if (options.compileOnly) {
+            return;
+        }
         VkCommandPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
         poolInfo.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
         poolInfo.queueFamilyIndex = deviceInfo.queueFamily;

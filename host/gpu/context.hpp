@@ -24,6 +24,9 @@ struct ContextOptions {
     // Switched on where the device has it; then Context::hasFloat64 or hasPipelineStatistics says so.
     bool float64 = false;             ///< doubles in shaders
     bool pipelineStatistics = false;  ///< VK_KHR_pipeline_executable_properties
+    /// Without what submitting needs: shaders can be compiled, and nothing can be run. For drivers that
+    /// compile for a device that is not there.
+    bool compileOnly = false;
 };
 
 class Context {
