@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "bench/correctness.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+#include <thread>
+
+#include "bench/kernel.hpp"
+#include "verify/histogram.hpp"
+#include "verify/in_parallel.hpp"
+#include "verify/trace_ray.hpp"
+
+namespace raytorus::bench {
+namespace {
+
+using render::Query;
+
+struct Judged {
+    bool wrong = false;
+    double off = 0.0;  ///< the largest error of a position, in R + r; 0 if wrong or if there is none
+};
+
+double distanceBetween(std::span<const float> position, const reference::Vec3<double>& exact) {
+    return std::hypot(double{position[0]} - exact[0], double{position[1]} - exact[1],
+                      double{position[2]} - exact[2]);
+}
+
+Judged judgeNearest(const verify::Truth& truth, std::span<const float> answer) {
+    const bool hit = answer[0] != 0.0F;
+    if (hit != (truth.count > 0)) {
+        return {true, 0.0};
+    }
+    return {false, hit ? distanceBetween(answer.subspan(2, 3), truth.hits[0].position) : 0.0};
+}
+
+Judged judgeAll(const verify::Truth& truth, std::span<const float> answer) {
+    if (answer[0] != static_cast<float>(truth.count)) {
+        return {true, 0.0};
+    }
+    Judged judged;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(truth.count); ++k) {
+        // Written so that NaN is wrong.
+        judged.wrong = judged.wrong || (k > 0 && !(answer[k] <= answer[1 + k]));
+        judged.off =
+            std::max(judged.off, distanceBetween(answer.subspan(5 + 3 * k, 3), truth.hits[k].position));
+    }
+    return judged;
+}
+
+Judged judgeOne(Query query, const verify::Truth& truth, std::span<const float> answer) {
+    if (query == Query::Any) {
+        return {(answer[0] != 0.0F) != (truth.count > 0), 0.0};
+    }
+    return query == Query::Nearest ? judgeNearest(truth, answer) : judgeAll(truth, answer);
+}
+
+bool isGross(const reference::Torus& torus, const Judged& judged) {
+    return !(judged.off <= verify::grossError * double{torus.minorRadius});
+}
+
+}  // namespace
+
+Truths::Truths(const reference::Torus& wantedTorus, std::vector<render::TraceRay> wantedRays,
+               unsigned wantedThreads)
+    : torus(wantedTorus),
+      rays(std::move(wantedRays)),
+      threads(wantedThreads > 0 ? wantedThreads : std::max(1U, std::thread::hardware_concurrency())),
+      entries(rays.size()) {
+    const double endMargin = verify::clearEndMargin(torus);
+    verify::inParallel(threads, rays.size(), [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) {
+            entries[i].truth = verify::quickTruth(torus, verify::asReferenceRay(rays[i]));
+            entries[i].clear = verify::isClear(entries[i].truth, verify::clearMargin, endMargin);
+        }
+    });
+}
+
+double Truths::hitPart() const {
+    const auto hits =
+        std::ranges::count_if(entries, [](const Entry& entry) { return entry.truth.count > 0; });
+    return static_cast<double>(hits) / static_cast<double>(entries.size());
+}
+
+Verdicts Truths::judge(Query query, std::span<const float> answers) {
+    const std::size_t floats = answerFloats(query);
+    const double size = double{torus.majorRadius} + double{torus.minorRadius};
+    Verdicts total;
+    verify::Histogram errors;
+    std::mutex mutex;
+    verify::inParallel(threads, entries.size(), [&](std::size_t from, std::size_t to) {
+        Verdicts part;
+        verify::Histogram partErrors;
+        for (std::size_t i = from; i < to; ++i) {
+            Entry& entry = entries[i];
+            if (!entry.clear) {
+                continue;
+            }
+            const std::span<const float> answer = answers.subspan(i * floats, floats);
+            Judged judged = judgeOne(query, entry.truth, answer);
+            if (!entry.precise && (judged.wrong || isGross(torus, judged))) {
+                entry.truth = verify::preciseTruth(torus, verify::asReferenceRay(rays[i]));
+                entry.precise = true;
+                judged = judgeOne(query, entry.truth, answer);
+            }
+            ++part.judged;
+            part.wrong += judged.wrong ? 1U : 0U;
+            part.gross += !judged.wrong && isGross(torus, judged) ? 1U : 0U;
+            if (!judged.wrong && entry.truth.count > 0 && query != Query::Any) {
+                partErrors.add(judged.off / size);
+            }
+        }
+        const std::scoped_lock lock(mutex);
+        total.judged += part.judged;
+        total.wrong += part.wrong;
+        total.gross += part.gross;
+        errors.merge(partErrors);
+    });
+    total.positionP99 = errors.quantile(0.99);
+    return total;
+}
+
+double hitPartOf(const reference::Torus& torus, std::span<const render::TraceRay> rays, std::size_t stride) {
+    const std::size_t looked = (rays.size() + stride - 1) / stride;
+    std::atomic<std::size_t> hits = 0;
+    const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+    verify::inParallel(threads, looked, [&](std::size_t from, std::size_t to) {
+        std::size_t some = 0;
+        for (std::size_t i = from; i < to; ++i) {
+            some += verify::quickTruth(torus, verify::asReferenceRay(rays[i * stride])).count > 0 ? 1U : 0U;
+        }
+        hits += some;
+    });
+    return static_cast<double>(hits) / static_cast<double>(looked);
+}
+
+}  // namespace raytorus::bench

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// How often a method is wrong on the rays that it is timed on: a fast wrong answer is no answer.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "render/tracer.hpp"
+#include "verify/judge.hpp"
+
+namespace raytorus::bench {
+
+struct Verdicts {
+    std::size_t judged = 0;    ///< rays that are clear: see verify::isClear
+    std::size_t wrong = 0;     ///< of these: hit or miss wrong, or for all hits their number or their order
+    std::size_t gross = 0;     ///< of the rest: a position off by more than 0.01 r
+    double positionP99 = 0.0;  ///< of the rest: 99 of 100 positions are off by less, in R + r
+
+    [[nodiscard]] bool right() const { return wrong == 0 && gross == 0; }
+};
+
+/// The truth of the rays of a workload. Made once; every method is held to it.
+class Truths {
+public:
+    /// `threads` of 0: as many as there are processors.
+    Truths(const reference::Torus& torus, std::vector<render::TraceRay> rays, unsigned threads = 0);
+
+    /// The part of the rays that hit, 0 to 1.
+    [[nodiscard]] double hitPart() const;
+
+    /// `answers`: as Kernel::answers has them. Whoever differs from a truth in doubles makes that ray's truth
+    /// be found again in 104 bits, and counts as wrong only if it differs from that too.
+    Verdicts judge(render::Query query, std::span<const float> answers);
+
+private:
+    struct Entry {
+        verify::Truth truth;
+        bool clear = false;
+        bool precise = false;
+    };
+
+    reference::Torus torus;
+    std::vector<render::TraceRay> rays;
+    unsigned threads;
+    std::vector<Entry> entries;
+};
+
+/// The part of these rays that hit, as views are aimed by: every `stride`th is looked at.
+double hitPartOf(const reference::Torus& torus, std::span<const render::TraceRay> rays, std::size_t stride);
+
+}  // namespace raytorus::bench

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// raytorus-bench: verify, then time.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include "bench/against.hpp"
+#include "bench/bench_options.hpp"
+#include "bench/html.hpp"
+#include "bench/isa.hpp"
+#include "bench/json.hpp"
+#include "bench/machine.hpp"
+#include "bench/summary.hpp"
+#include "bench/table.hpp"
+#include "cli/program.hpp"
+#include "cli/progress.hpp"
+#include "core/file.hpp"
+
+namespace raytorus::bench {
+namespace {
+
+// Opened before the work, which can be long, so that a name that cannot be written costs nothing.
+std::unique_ptr<OutputFile> openOutput(const std::string& name) {
+    return name.empty() ? nullptr : std::make_unique<OutputFile>(name);
+}
+
+void writeTo(const std::unique_ptr<OutputFile>& file, const std::string& text) {
+    if (file) {
+        file->write(text);
+        file->commit();
+    }
+}
+
+ExitCode list(const BenchOptions& options) {
+    fmt::print("workloads\n");
+    for (const Workload& workload : options.workloads) {
+        fmt::print("  {}\n", workload.name());
+    }
+    fmt::print("methods\n");
+    for (const TimedMethod& method : options.methods) {
+        fmt::print("  {:<21} {}\n", method.name, method.description);
+    }
+    return ExitCode::Ok;
+}
+
+ExitCode countCode(const BenchOptions& options) {
+    const std::unique_ptr<OutputFile> json = openOutput(options.json);
+    chooseNullDevice(options.family);
+    cli::withDevice(options.device, [&](gpu::Context& context) {
+        fmt::print("{} ({} {}), one ray in, one answer out\n\n", context.info().name,
+                   context.info().driverName, context.info().driverInfo);
+        const std::vector<IsaRow> rows = countInstructions(context, options.methods, options.queries);
+        fmt::print("{}", isaText(rows));
+        writeTo(json, isaJson(context.info(), rows));
+    });
+    return ExitCode::Ok;
+}
+
+// Who needs doubles is left out, in words, where there are none.
+std::vector<TimedMethod> methodsFor(const gpu::Context& context, std::vector<TimedMethod> methods) {
+    std::erase_if(methods, [&context](const TimedMethod& method) {
+        const bool missing = method.needsFloat64 && !context.hasFloat64();
+        if (missing) {
+            fmt::print("{} is left out: {} has no shaderFloat64\n", method.name, context.info().name);
+        }
+        return missing;
+    });
+    return methods;
+}
+
+Run measureAll(gpu::Context& context, const BenchOptions& options) {
+    Run run{describeMachine(context), options.measure.seed, options.measure.rounds, {}};
+    fmt::print("{}\nseed {}, {} rounds\n", machineText(run.machine), run.seed, run.rounds);
+    Measurer measurer(context, methodsFor(context, options.methods), options.measure);
+    cli::Progress progress("timing");
+    for (std::size_t i = 0; i < options.workloads.size(); ++i) {
+        const auto show = [&](double part) {
+            progress.show((static_cast<double>(i) + part) / static_cast<double>(options.workloads.size()));
+        };
+        for (CellResult& cell : measurer.measure(options.workloads[i], options.queries, show)) {
+            fmt::print("\n{}", tableText(cell));
+            std::fflush(stdout);
+            run.cells.push_back(std::move(cell));
+        }
+    }
+    return run;
+}
+
+// Whether the library was right on every ray, and every run the same.
+bool isSound(const Run& run) {
+    bool sound = true;
+    for (const CellResult& cell : run.cells) {
+        const MethodResult* ours = findMethod(cell, ourName);
+        if (ours != nullptr && !(ours->verdicts.right() && ours->checksumHeld)) {
+            fmt::print("{} {}: {}\n", cell.workload.name(), nameOf(cell.query),
+                       ours->checksumHeld ? "the library is wrong" : "runs of the library differ");
+            sound = false;
+        }
+    }
+    return sound;
+}
+
+ExitCode measure(const BenchOptions& options) {
+    std::optional<ReferenceTable> reference;
+    if (!options.against.empty()) {
+        reference = readReference(options.against);
+    }
+    const std::unique_ptr<OutputFile> json = openOutput(options.json);
+    const std::unique_ptr<OutputFile> html = openOutput(options.html);
+    bool sound = true;
+    cli::withDevice(options.device, [&](gpu::Context& context) {
+        const Run run = measureAll(context, options);
+        fmt::print("\n{}", summaryText(run));
+        const std::vector<Bar> bars = measureBars(run);
+        if (!bars.empty()) {
+            fmt::print("\n{}", barsText(bars));
+        }
+        if (reference) {
+            fmt::print("\n{}", againstText(*reference, run));
+        }
+        writeTo(json, runJson(run));
+        writeTo(html, runHtml(run));
+        sound = isSound(run);
+    });
+    return sound ? ExitCode::Ok : ExitCode::ComparisonFailed;
+}
+
+ExitCode run(const BenchOptions& options) {
+    if (options.list) {
+        return list(options);
+    }
+    return options.isa ? countCode(options) : measure(options);
+}
+
+}  // namespace
+}  // namespace raytorus::bench
+
+int main(int argc, char** argv) {
+    using namespace raytorus;
+    return cli::exitStatus(cli::runProgram(bench::programName, [&] {
+        const auto options = bench::parseOptions({argv + 1, argv + argc});
+        return options ? bench::run(*options) : ExitCode::Ok;
+    }));
+}

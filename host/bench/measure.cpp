@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "bench/measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace raytorus::bench {
+namespace {
+
+// Enough that a stream of them leaves every cache.
+constexpr std::size_t streamCopies = 16;
+
+// Aiming looks at some 4096 rays: 0.7 % of hits more or less.
+constexpr std::size_t aimingRays = 4096;
+
+constexpr std::uint32_t mostLayers = 4096;
+
+}  // namespace
+
+Measurer::Measurer(gpu::Context& deviceContext, std::vector<TimedMethod> chosen,
+                   const MeasureOptions& measureOptions)
+    : context(&deviceContext),
+      methods(std::move(chosen)),
+      options(measureOptions),
+      kernel(deviceContext, measureOptions.side) {}
+
+std::vector<CellResult> Measurer::measure(const Workload& workload, std::span<const render::Query> queries,
+                                          const std::function<void(double)>& progress) {
+    const reference::Torus torus = workload.torus();
+    // An odd stride, so that every column of the picture is looked at.
+    const std::size_t stride = kernel.rayCount() / aimingRays | 1U;
+    const View view = aim(workload, kernel.pixels(), options.seed, [&](const View& tried) {
+        return hitPartOf(torus, kernel.rays(workload.pattern, tried), stride);
+    });
+    const std::vector<render::TraceRay> rays = kernel.rays(workload.pattern, view);
+    Truths truths(torus, rays);
+    std::optional<Stream> stream;
+    if (workload.mode == Mode::Streamed) {
+        const std::size_t room =
+            render::Tracer::maxCapacity(*context, render::Query::All) / kernel.rayCount();
+        stream.emplace(*context, torus, rays, std::clamp<std::size_t>(room, 1, streamCopies));
+    }
+    std::vector<CellResult> results;
+    for (const render::Query query : queries) {
+        results.push_back(
+            measureQuery(workload, query, view, truths, stream ? &*stream : nullptr, [&](double part) {
+                if (progress) {
+                    progress((static_cast<double>(results.size()) + part) /
+                             static_cast<double>(queries.size()));
+                }
+            }));
+    }
+    return results;
+}
+
+std::uint32_t Measurer::layersFor(const Workload& workload, render::Query query, const View& view) {
+    const auto ours = std::ranges::find(methods, ourName, &TimedMethod::name);
+    kernel.time(*ours, query, workload.pattern, view, 1);  // the driver compiles
+    const double seconds = kernel.time(*ours, query, workload.pattern, view, 1).seconds;
+    const double wanted = std::ceil(options.leastSeconds / std::max(seconds, 1e-9));
+    return static_cast<std::uint32_t>(std::clamp(wanted, 1.0, double{mostLayers}));
+}
+
+CellResult Measurer::measureQuery(const Workload& workload, render::Query query, const View& view,
+                                  Truths& truths, Stream* stream,
+                                  const std::function<void(double)>& progress) {
+    CellResult cell{workload, query, truths.hitPart(), kernel.rayCount(), 1, {}};
+    cell.layers = stream != nullptr ? static_cast<std::uint32_t>(stream->rayCount() / kernel.rayCount())
+                                    : layersFor(workload, query, view);
+    std::vector<std::function<Shot()>> contestants;
+    for (const TimedMethod& method : methods) {
+        MethodResult result;
+        result.name = method.name;
+        std::vector<float> answers;
+        if (stream != nullptr) {
+            stream->time(method, query);
+            answers = stream->answers(query);
+            contestants.emplace_back([&method, query, stream] { return stream->time(method, query); });
+        } else {
+            answers = kernel.answers(method, query, workload.pattern, view);
+            const Shot shot = kernel.time(method, query, workload.pattern, view, 1);
+            result.checksumHeld = shot.checksum == checksumOf(answers);
+            contestants.emplace_back([this, &method, query, &workload, &view, &cell] {
+                return kernel.time(method, query, workload.pattern, view, cell.layers);
+            });
+        }
+        if (method.name != emptyName) {
+            result.verdicts = truths.judge(query, answers);
+        }
+        cell.methods.push_back(result);
+        progress(0.5 * static_cast<double>(cell.methods.size()) / static_cast<double>(methods.size()));
+    }
+    const std::vector<Series> series = takeTurns(contestants, options.rounds);
+    const double raysARun = static_cast<double>(cell.rays) * cell.layers;
+    const auto indexOf = [this](const char* name) {
+        return static_cast<std::size_t>(std::ranges::find(methods, name, &TimedMethod::name) -
+                                        methods.begin());
+    };
+    // Streamed, what the rays and answers cost is the point.
+    const Series* empty = stream != nullptr ? nullptr : &series[indexOf(emptyName)];
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        cell.methods[i].times = timesOf(series[i], series[indexOf(ourName)], empty, raysARun);
+        cell.methods[i].checksumHeld = cell.methods[i].checksumHeld && series[i].checksumHeld;
+    }
+    progress(1.0);
+    return cell;
+}
+
+}  // namespace raytorus::bench

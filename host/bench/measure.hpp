@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// A workload, verified and timed.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "bench/kernel.hpp"
+#include "bench/result.hpp"
+#include "bench/stream.hpp"
+
+namespace raytorus::bench {
+
+struct MeasureOptions {
+    std::uint32_t side = 4;      ///< of the picture, in blocks of 64 x 64 rays
+    unsigned rounds = 9;         ///< timed runs of each method
+    double leastSeconds = 4e-3;  ///< that a run of the library is to take; else the rays are answered again
+    std::uint64_t seed = 0;
+};
+
+class Measurer {
+public:
+    Measurer(gpu::Context& context, std::vector<TimedMethod> methods, const MeasureOptions& options);
+
+    /// Aims the workload's rays, holds every method's answers to the truth, then times them. `progress` hears
+    /// the part that is done, 0 to 1, of this workload.
+    std::vector<CellResult> measure(const Workload& workload, std::span<const render::Query> queries,
+                                    const std::function<void(double)>& progress = {});
+
+private:
+    CellResult measureQuery(const Workload& workload, render::Query query, const View& view, Truths& truths,
+                            Stream* stream, const std::function<void(double)>& progress);
+    std::uint32_t layersFor(const Workload& workload, render::Query query, const View& view);
+
+    gpu::Context* context;
+    std::vector<TimedMethod> methods;
+    MeasureOptions options;
+    Kernel kernel;
+};
+
+}  // namespace raytorus::bench

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// What a run of the benchmark has found.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "bench/correctness.hpp"
+#include "bench/timing.hpp"
+#include "bench/workload.hpp"
+
+namespace raytorus::bench {
+
+struct MethodResult {
+    std::string name;
+    Times times;
+    Verdicts verdicts;         ///< of the empty method: nothing was judged
+    bool checksumHeld = true;  ///< every timed run gave the same answers as the verified one
+};
+
+/// One workload and one query: the methods side by side.
+struct CellResult {
+    Workload workload;
+    render::Query query = render::Query::Nearest;
+    double hitPart = 0.0;      ///< of the rays, measured
+    std::size_t rays = 0;      ///< different ones
+    std::uint32_t layers = 1;  ///< how often each was answered in a run
+    std::vector<MethodResult> methods;
+};
+
+/// Where, but not when.
+struct Machine {
+    std::string device;
+    std::string driver;      ///< name and version
+    std::string deviceType;  ///< "discrete GPU", "CPU", ...
+    std::string vulkan;      ///< "1.3.230"
+    std::string processor;
+    unsigned processors = 0;
+    std::string lavapipeThreads;  ///< LP_NUM_THREADS; empty: not set
+    std::string clock;            ///< "device timestamps" or "wall"
+};
+
+struct Run {
+    Machine machine;
+    std::uint64_t seed = 0;
+    unsigned rounds = 0;
+    std::vector<CellResult> cells;
+};
+
+}  // namespace raytorus::bench

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "bench/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "bench/table.hpp"
+#include "bench/timed_method.hpp"
+
+namespace raytorus::bench {
+namespace {
+
+using render::Query;
+
+bool isMade(const CellResult& cell) {
+    return cell.workload.mode == Mode::Made;
+}
+
+std::string meanOf(const Run& run, const std::string& name, Pattern pattern, Query query) {
+    std::vector<double> ratios;
+    for (const CellResult& cell : run.cells) {
+        const MethodResult* method = findMethod(cell, name);
+        if (isMade(cell) && cell.workload.pattern == pattern && cell.query == query && method != nullptr &&
+            method->times.ratio > 0.0) {
+            ratios.push_back(method->times.ratio);
+        }
+    }
+    return ratioText(geometricMean(ratios));
+}
+
+// The part of all judged answers that were wrong or gross.
+double wrongPart(const Run& run, const std::string& name) {
+    double judged = 0.0;
+    double wrong = 0.0;
+    for (const CellResult& cell : run.cells) {
+        const MethodResult* method = findMethod(cell, name);
+        if (method != nullptr) {
+            judged += static_cast<double>(method->verdicts.judged);
+            wrong += static_cast<double>(method->verdicts.wrong + method->verdicts.gross);
+        }
+    }
+    return judged > 0.0 ? wrong / judged : 0.0;
+}
+
+void add(Bar& bar, const CellResult& cell, double ratio) {
+    if (ratio <= 0.0) {
+        return;
+    }
+    bar.measured.push_back(ratio);
+    if (ratio > bar.worst) {
+        bar.worst = ratio;
+        bar.worstWorkload = cell.workload.name();
+    }
+}
+
+// Nearest hits, against one method, in the workloads that `about` picks.
+Bar peerBar(const Run& run, const char* text, double limit, const char* peer,
+            const std::function<bool(const Workload&)>& about) {
+    Bar bar{text, limit, {}, 0.0, ""};
+    for (const CellResult& cell : run.cells) {
+        const MethodResult* method = findMethod(cell, peer);
+        if (isMade(cell) && cell.query == Query::Nearest && method != nullptr && about(cell.workload)) {
+            add(bar, cell, method->times.ratio);
+        }
+    }
+    return bar;
+}
+
+Bar anyBar(const Run& run) {
+    Bar bar{"raytorus itself: any-hit over nearest", 0.8, {}, 0.0, ""};
+    for (const CellResult& any : run.cells) {
+        const auto nearest = std::ranges::find_if(run.cells, [&any](const CellResult& cell) {
+            return cell.query == Query::Nearest && cell.workload.name() == any.workload.name();
+        });
+        if (!isMade(any) || any.query != Query::Any || nearest == run.cells.end()) {
+            continue;
+        }
+        const MethodResult* ourAny = findMethod(any, ourName);
+        const MethodResult* ourNearest = findMethod(*nearest, ourName);
+        if (ourAny != nullptr && ourNearest != nullptr && ourNearest->times.netMinimum > 0.0) {
+            add(bar, any, ourAny->times.netMinimum / ourNearest->times.netMinimum);
+        }
+    }
+    return bar;
+}
+
+}  // namespace
+
+const MethodResult* findMethod(const CellResult& cell, std::string_view name) {
+    const auto found = std::ranges::find(cell.methods, name, &MethodResult::name);
+    return found == cell.methods.end() ? nullptr : &*found;
+}
+
+double geometricMean(const std::vector<double>& values) {
+    double sum = 0.0;
+    for (const double value : values) {
+        sum += std::log(value);
+    }
+    return values.empty() ? 0.0 : std::exp(sum / static_cast<double>(values.size()));
+}
+
+std::string summaryText(const Run& run) {
+    std::string text =
+        fmt::format("{:<23} {:^23}  {:^23}\n", "ours/it, geometric mean", "tiles", "scattered");
+    text += fmt::format("{:<23} {:>7} {:>7} {:>7}  {:>7} {:>7} {:>7}  {:>9}\n", "", "nearest", "any", "all",
+                        "nearest", "any", "all", "wrong");
+    for (const TimedMethod& method : timedMethods()) {
+        const bool present = std::ranges::any_of(run.cells, [&method](const CellResult& cell) {
+            return findMethod(cell, method.name) != nullptr;
+        });
+        if (!present || method.name == emptyName || method.name == ourName) {
+            continue;
+        }
+        text += fmt::format("  {:<21}", method.name);
+        for (const Pattern pattern : {Pattern::Tiles, Pattern::Scattered}) {
+            for (const Query query : allQueries) {
+                text += fmt::format(" {:>7}", meanOf(run, method.name, pattern, query));
+            }
+            text += pattern == Pattern::Tiles ? " " : "";
+        }
+        text += fmt::format("  {:>7.3f} %\n", 100.0 * wrongPart(run, method.name));
+    }
+    return text + fmt::format("  {:<21} {:>59.3f} %\n", ourName, 100.0 * wrongPart(run, ourName));
+}
+
+std::vector<Bar> measureBars(const Run& run) {
+    const auto always = [](const Workload&) { return true; };
+    std::vector<Bar> bars = {
+        peerBar(run, "closed-form-common, tiles", 0.7, "closed-form-common",
+                [](const Workload& workload) { return workload.pattern == Pattern::Tiles; }),
+        peerBar(run, "closed-form-common, scattered, 50 %", 0.9, "closed-form-common",
+                [](const Workload& workload) {
+                    return workload.pattern == Pattern::Scattered && workload.hitPercent == 50;
+                }),
+        peerBar(run, "sphere-tracing (to 1e-4 r)", 0.3, "sphere-tracing", always),
+        peerBar(run, "bracketed-newton", 0.5, "bracketed-newton", always),
+        anyBar(run),
+        peerBar(run, "ray-sphere, tiles, 30 %", 3.5, "ray-sphere",
+                [](const Workload& workload) {
+                    return workload.pattern == Pattern::Tiles && workload.hitPercent == 30;
+                }),
+    };
+    std::erase_if(bars, [](const Bar& bar) { return bar.measured.empty(); });
+    return bars;
+}
+
+std::string barsText(const std::vector<Bar>& bars) {
+    std::string text = fmt::format("{:<38} {:>5} {:>7} {:>7}  {:<9} {}\n", "aim: our time over its", "limit",
+                                   "mean", "worst", "held in", "worst at");
+    for (const Bar& bar : bars) {
+        const auto held =
+            std::ranges::count_if(bar.measured, [&bar](double ratio) { return ratio <= bar.limit; });
+        text += fmt::format("  {:<36} {:>5g} {:>7} {:>7}  {:<9} {}\n", bar.text, bar.limit,
+                            ratioText(geometricMean(bar.measured)), ratioText(bar.worst),
+                            fmt::format("{} of {}", held, bar.measured.size()), bar.worstWorkload);
+    }
+    return text;
+}
+
+}  // namespace raytorus::bench

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// What all cells of a run say together.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/result.hpp"
+
+namespace raytorus::bench {
+
+/// Ours over its, each method a row, the geometric mean over the workloads of a pattern and query a column;
+/// and how much it was wrong over all. Streamed workloads are left out.
+std::string summaryText(const Run& run);
+
+/// What the library aims at: how its time is to compare.
+struct Bar {
+    std::string text;
+    double limit = 0.0;            ///< ours over its, at most
+    std::vector<double> measured;  ///< of each cell that it is about
+    double worst = 0.0;
+    std::string worstWorkload;
+};
+
+/// Those that the run has cells for.
+std::vector<Bar> measureBars(const Run& run);
+
+/// A row each: the limit, the geometric mean, the worst, and in how many cells it is held.
+std::string barsText(const std::vector<Bar>& bars);
+
+/// 0 if there are none.
+double geometricMean(const std::vector<double>& values);
+
+/// The method's row, or null.
+const MethodResult* findMethod(const CellResult& cell, std::string_view name);
+
+}  // namespace raytorus::bench

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "bench/timing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raytorus::bench {
+namespace {
+
+double ratioOf(double ours, double its) {
+    return ours > 0.0 && its > 0.0 ? ours / its : 0.0;
+}
+
+}  // namespace
+
+std::vector<Series> takeTurns(const std::vector<std::function<Shot()>>& contestants, unsigned rounds) {
+    std::vector<Series> series(contestants.size());
+    std::vector<std::uint32_t> checksums;
+    for (std::size_t i = 0; i < contestants.size(); ++i) {
+        const Shot first = contestants[i]();
+        checksums.push_back(first.checksum);
+        series[i].checksumHeld = first.layersAgree;
+    }
+    for (std::size_t round = 0; round < rounds; ++round) {
+        for (std::size_t turn = 0; turn < contestants.size(); ++turn) {
+            const std::size_t i = (round + turn) % contestants.size();
+            const Shot shot = contestants[i]();
+            series[i].seconds.push_back(shot.seconds);
+            const bool held = shot.layersAgree && shot.checksum == checksums[i];
+            series[i].checksumHeld = series[i].checksumHeld && held;
+        }
+    }
+    return series;
+}
+
+Times timesOf(const Series& its, const Series& ours, const Series* empty, double raysARun) {
+    const double scale = 1e9 / raysARun;
+    const auto minimumOf = [](const Series& series) { return *std::ranges::min_element(series.seconds); };
+    const double idle = empty != nullptr ? minimumOf(*empty) : 0.0;
+    Times times;
+    times.minimum = scale * minimumOf(its);
+    times.median = scale * quantile(its.seconds, 0.5);
+    times.netMinimum = scale * (minimumOf(its) - idle);
+    times.ratio = ratioOf(minimumOf(ours) - idle, minimumOf(its) - idle);
+    std::vector<double> ratios;
+    for (std::size_t round = 0; round < its.seconds.size(); ++round) {
+        const double idleNow = empty != nullptr ? empty->seconds[round] : 0.0;
+        const double ratio = ratioOf(ours.seconds[round] - idleNow, its.seconds[round] - idleNow);
+        if (ratio > 0.0) {
+            ratios.push_back(ratio);
+        }
+    }
+    times.lowerQuartile = quantile(ratios, 0.25);
+    times.middleRatio = quantile(ratios, 0.5);
+    times.upperQuartile = quantile(ratios, 0.75);
+    return times;
+}
+
+double quantile(std::vector<double> values, double part) {
+    if (values.empty()) {
+        return 0.0;
+    }
+    std::ranges::sort(values);
+    const double at = part * static_cast<double>(values.size() - 1);
+    const auto below = static_cast<std::size_t>(at);
+    const std::size_t above = std::min(below + 1, values.size() - 1);
+    return values[below] + (at - static_cast<double>(below)) * (values[above] - values[below]);
+}
+
+}  // namespace raytorus::bench
