@@ -40,7 +40,7 @@ std::string changeText(const Change& change) {
 
 }  // namespace
 
-std::vector<Change> compareWith(const ReferenceTable& reference, const Run& run) {
+std::vector<Change> compareWith(const ReferenceTable& reference, const BenchRun& run) {
     std::map<std::tuple<std::string, std::string, std::string>, const ReferenceRow*> rows;
     for (const ReferenceRow& row : reference.rows) {
         rows[{row.workload, row.query, row.method}] = &row;
@@ -74,7 +74,7 @@ std::vector<Change> compareWith(const ReferenceTable& reference, const Run& run)
     return changes;
 }
 
-std::string againstText(const ReferenceTable& reference, const Run& run) {
+std::string againstText(const ReferenceTable& reference, const BenchRun& run) {
     std::vector<Change> changes = compareWith(reference, run);
     std::string text = fmt::format("against {}\n{}", reference.file, machineNote(reference, run.machine));
     if (changes.empty()) {

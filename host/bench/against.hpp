@@ -28,9 +28,9 @@ struct Change {
 inline constexpr double runToRun = 0.05;
 
 /// Every method of every cell that both have, but for the empty one; the library only where it became wrong.
-std::vector<Change> compareWith(const ReferenceTable& reference, const Run& run);
+std::vector<Change> compareWith(const ReferenceTable& reference, const BenchRun& run);
 
 /// What left the spread, the greatest change first; then the mean change of each method.
-std::string againstText(const ReferenceTable& reference, const Run& run);
+std::string againstText(const ReferenceTable& reference, const BenchRun& run);
 
 }  // namespace raytorus::bench

@@ -29,7 +29,7 @@ double distanceBetween(std::span<const float> position, const reference::Vec3<do
 
 Judged judgeNearest(const verify::Truth& truth, std::span<const float> answer) {
     const bool hit = answer[0] != 0.0F;
-    if (hit != (truth.count > 0)) {
+    if (hit != (truth.count > 0) || (hit && !std::isfinite(answer[1]))) {
         return {true, 0.0};
     }
     return {false, hit ? distanceBetween(answer.subspan(2, 3), truth.hits[0].position) : 0.0};
@@ -41,10 +41,11 @@ Judged judgeAll(const verify::Truth& truth, std::span<const float> answer) {
     }
     Judged judged;
     for (std::size_t k = 0; k < static_cast<std::size_t>(truth.count); ++k) {
-        // Written so that NaN is wrong.
-        judged.wrong = judged.wrong || (k > 0 && !(answer[k] <= answer[1 + k]));
-        judged.off =
-            std::max(judged.off, distanceBetween(answer.subspan(5 + 3 * k, 3), truth.hits[k].position));
+        const bool ascending = k == 0 || answer[k] <= answer[1 + k];
+        judged.wrong = judged.wrong || !ascending || !std::isfinite(answer[1 + k]);
+        const double off = distanceBetween(answer.subspan(5 + 3 * k, 3), truth.hits[k].position);
+        // A NaN is larger than anything, and stays.
+        judged.off = off <= judged.off || std::isnan(judged.off) ? judged.off : off;
     }
     return judged;
 }

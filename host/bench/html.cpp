@@ -58,7 +58,7 @@ std::string escaped(const std::string& text) {
 
 }  // namespace
 
-std::string runHtml(const Run& run) {
+std::string runHtml(const BenchRun& run) {
     std::string page = fmt::format(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta "
         "charset=\"utf-8\">\n<title>raytorus-bench</title>\n"

@@ -8,6 +8,6 @@
 
 namespace raytorus::bench {
 
-std::string runHtml(const Run& run);
+std::string runHtml(const BenchRun& run);
 
 }  // namespace raytorus::bench

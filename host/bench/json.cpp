@@ -90,7 +90,7 @@ Error refusal(const std::filesystem::path& path, const std::string& reason) {
 
 }  // namespace
 
-std::string runJson(const Run& run) {
+std::string runJson(const BenchRun& run) {
     std::string text = fmt::format(
         "{{\"format\": \"{}\", \"version\": {},\n\"machine\": {},\n\"seed\": {}, \"rounds\": {}, "
         "\"cells\": [",

@@ -20,7 +20,7 @@ namespace raytorus::bench {
 ///       ...
 ///
 /// Times in ns a ray; "ratio" and "quartiles" (lower, median, upper): ours over its; 0 where there is none.
-std::string runJson(const Run& run);
+std::string runJson(const BenchRun& run);
 
 /// What --against needs of an earlier table.
 struct ReferenceRow {

@@ -70,8 +70,8 @@ std::vector<TimedMethod> methodsFor(const gpu::Context& context, std::vector<Tim
     return methods;
 }
 
-Run measureAll(gpu::Context& context, const BenchOptions& options) {
-    Run run{describeMachine(context), options.measure.seed, options.measure.rounds, {}};
+BenchRun measureAll(gpu::Context& context, const BenchOptions& options) {
+    BenchRun run{describeMachine(context), options.measure.seed, options.measure.rounds, {}};
     fmt::print("{}\nseed {}, {} rounds\n", machineText(run.machine), run.seed, run.rounds);
     Measurer measurer(context, methodsFor(context, options.methods), options.measure);
     cli::Progress progress("timing");
@@ -89,7 +89,7 @@ Run measureAll(gpu::Context& context, const BenchOptions& options) {
 }
 
 // Whether the library was right on every ray, and every run the same.
-bool isSound(const Run& run) {
+bool isSound(const BenchRun& run) {
     bool sound = true;
     for (const CellResult& cell : run.cells) {
         const MethodResult* ours = findMethod(cell, ourName);
@@ -111,7 +111,7 @@ ExitCode measure(const BenchOptions& options) {
     const std::unique_ptr<OutputFile> html = openOutput(options.html);
     bool sound = true;
     cli::withDevice(options.device, [&](gpu::Context& context) {
-        const Run run = measureAll(context, options);
+        const BenchRun run = measureAll(context, options);
         fmt::print("\n{}", summaryText(run));
         const std::vector<Bar> bars = measureBars(run);
         if (!bars.empty()) {

@@ -56,6 +56,9 @@ std::vector<CellResult> Measurer::measure(const Workload& workload, std::span<co
 }
 
 std::uint32_t Measurer::layersFor(const Workload& workload, render::Query query, const View& view) {
+    if (options.layers > 0) {
+        return options.layers;
+    }
     const auto ours = std::ranges::find(methods, ourName, &TimedMethod::name);
     kernel.time(*ours, query, workload.pattern, view, 1);  // the driver compiles
     const double seconds = kernel.time(*ours, query, workload.pattern, view, 1).seconds;

@@ -41,7 +41,7 @@ struct Machine {
     std::string clock;            ///< "device timestamps" or "wall"
 };
 
-struct Run {
+struct BenchRun {
     Machine machine;
     std::uint64_t seed = 0;
     unsigned rounds = 0;

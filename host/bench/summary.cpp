@@ -19,7 +19,7 @@ bool isMade(const CellResult& cell) {
     return cell.workload.mode == Mode::Made;
 }
 
-std::string meanOf(const Run& run, const std::string& name, Pattern pattern, Query query) {
+std::string meanOf(const BenchRun& run, const std::string& name, Pattern pattern, Query query) {
     std::vector<double> ratios;
     for (const CellResult& cell : run.cells) {
         const MethodResult* method = findMethod(cell, name);
@@ -32,7 +32,7 @@ std::string meanOf(const Run& run, const std::string& name, Pattern pattern, Que
 }
 
 // The part of all judged answers that were wrong or gross.
-double wrongPart(const Run& run, const std::string& name) {
+double wrongPart(const BenchRun& run, const std::string& name) {
     double judged = 0.0;
     double wrong = 0.0;
     for (const CellResult& cell : run.cells) {
@@ -57,7 +57,7 @@ void add(Bar& bar, const CellResult& cell, double ratio) {
 }
 
 // Nearest hits, against one method, in the workloads that `about` picks.
-Bar peerBar(const Run& run, const char* text, double limit, const char* peer,
+Bar peerBar(const BenchRun& run, const char* text, double limit, const char* peer,
             const std::function<bool(const Workload&)>& about) {
     Bar bar{text, limit, {}, 0.0, ""};
     for (const CellResult& cell : run.cells) {
@@ -69,7 +69,7 @@ Bar peerBar(const Run& run, const char* text, double limit, const char* peer,
     return bar;
 }
 
-Bar anyBar(const Run& run) {
+Bar anyBar(const BenchRun& run) {
     Bar bar{"raytorus itself: any-hit over nearest", 0.8, {}, 0.0, ""};
     for (const CellResult& any : run.cells) {
         const auto nearest = std::ranges::find_if(run.cells, [&any](const CellResult& cell) {
@@ -102,7 +102,7 @@ double geometricMean(const std::vector<double>& values) {
     return values.empty() ? 0.0 : std::exp(sum / static_cast<double>(values.size()));
 }
 
-std::string summaryText(const Run& run) {
+std::string summaryText(const BenchRun& run) {
     std::string text =
         fmt::format("{:<23} {:^23}  {:^23}\n", "ours/it, geometric mean", "tiles", "scattered");
     text += fmt::format("{:<23} {:>7} {:>7} {:>7}  {:>7} {:>7} {:>7}  {:>9}\n", "", "nearest", "any", "all",
@@ -126,7 +126,7 @@ std::string summaryText(const Run& run) {
     return text + fmt::format("  {:<21} {:>59.3f} %\n", ourName, 100.0 * wrongPart(run, ourName));
 }
 
-std::vector<Bar> measureBars(const Run& run) {
+std::vector<Bar> measureBars(const BenchRun& run) {
     const auto always = [](const Workload&) { return true; };
     std::vector<Bar> bars = {
         peerBar(run, "closed-form-common, tiles", 0.7, "closed-form-common",
@@ -148,12 +148,12 @@ std::vector<Bar> measureBars(const Run& run) {
 }
 
 std::string barsText(const std::vector<Bar>& bars) {
-    std::string text = fmt::format("{:<38} {:>5} {:>7} {:>7}  {:<9} {}\n", "aim: our time over its", "limit",
+    std::string text = fmt::format("{:<40} {:>5} {:>7} {:>7}  {:<9} {}\n", "aim: our time over its", "limit",
                                    "mean", "worst", "held in", "worst at");
     for (const Bar& bar : bars) {
         const auto held =
             std::ranges::count_if(bar.measured, [&bar](double ratio) { return ratio <= bar.limit; });
-        text += fmt::format("  {:<36} {:>5g} {:>7} {:>7}  {:<9} {}\n", bar.text, bar.limit,
+        text += fmt::format("  {:<38} {:>5g} {:>7} {:>7}  {:<9} {}\n", bar.text, bar.limit,
                             ratioText(geometricMean(bar.measured)), ratioText(bar.worst),
                             fmt::format("{} of {}", held, bar.measured.size()), bar.worstWorkload);
     }

@@ -11,7 +11,7 @@ namespace raytorus::bench {
 
 /// Ours over its, each method a row, the geometric mean over the workloads of a pattern and query a column;
 /// and how much it was wrong over all. Streamed workloads are left out.
-std::string summaryText(const Run& run);
+std::string summaryText(const BenchRun& run);
 
 /// What the library aims at: how its time is to compare.
 struct Bar {
@@ -23,7 +23,7 @@ struct Bar {
 };
 
 /// Those that the run has cells for.
-std::vector<Bar> measureBars(const Run& run);
+std::vector<Bar> measureBars(const BenchRun& run);
 
 /// A row each: the limit, the geometric mean, the worst, and in how many cells it is held.
 std::string barsText(const std::vector<Bar>& bars);

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// An intersector that answers otherwise when it is asked again: what the benchmark's checksums have to notice. Its
+// answers depend on the layer, and on how many there are.
+
+#define RAY_INTERSECT fickleIntersect
+#define RAY_OCCLUDED torusOccluded
+#define RAY_INTERSECT_ALL torusIntersectAll
+
+bool fickleIntersect(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out TorusHit hit) {
+    bool found = torusIntersect(torus, origin, tMin, direction, tMax, hit);
+    hit.t *= 1.0 + 1.0e-6 * float(gl_WorkGroupID.z);
+    return found;
+}
