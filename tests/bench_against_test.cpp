@@ -46,11 +46,26 @@ TEST(BenchAgainst, MarksWhatLeftTheSpread) {
     EXPECT_NE(text.find("closed-form-common      0.500   0.400   -20.0 %"), std::string::npos) << text;
 }
 
+// One of the two alone is noise.
+TEST(BenchAgainst, WantsMinimaAndQuartilesToHaveMoved) {
+    const ReferenceTable then = tableOf(madeUpRun(0.5));
+    BenchRun minima = madeUpRun(0.5);
+    minima.cells[0].methods[2].times.ratio = 0.6;
+    EXPECT_EQ(leftSpread(compareWith(then, minima)), 0U);
+    BenchRun quartiles = madeUpRun(0.6);
+    for (CellResult& cell : quartiles.cells) {
+        cell.methods[2].times.ratio = 0.52;
+    }
+    EXPECT_EQ(leftSpread(compareWith(then, quartiles)), 0U);
+    quartiles.cells[0].methods[2].times.ratio = 0.53;
+    EXPECT_EQ(leftSpread(compareWith(then, quartiles)), 1U);
+}
+
 TEST(BenchAgainst, PutsTheGreatestChangeFirst) {
     const ReferenceTable then = tableOf(madeUpRun(0.5));
     BenchRun now = madeUpRun(0.6);
     Times& times = now.cells[3].methods[3].times;
-    times.lowerQuartile = times.middleRatio = times.upperQuartile = 2.0;
+    times.ratio = times.lowerQuartile = times.upperQuartile = 2.0;
     const std::string text = againstText(then, now);
     EXPECT_LT(text.find("-80.0 %"), text.find("+20.0 %")) << text;
 }

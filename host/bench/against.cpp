@@ -56,17 +56,19 @@ std::vector<Change> compareWith(const ReferenceTable& reference, const BenchRun&
             const ReferenceRow& then = *found->second;
             // Of the others, many are wrong on a ray in 10 000: with other rays, once more or once less.
             const bool becameWrong = method.name == ourName && then.wrong == 0 && !method.verdicts.right();
-            const bool comparable = method.name != ourName && then.middleRatio > 0.0 && now.middleRatio > 0.0;
+            const bool comparable = method.name != ourName && then.ratio > 0.0 && now.ratio > 0.0;
             if (!comparable && !becameWrong) {
                 continue;
             }
             Change change{cell.workload.name(), nameOf(cell.query), method.name, 1.0, 1.0, false,
                           becameWrong};
             if (comparable) {
-                change.before = then.middleRatio;
-                change.now = now.middleRatio;
-                change.leftSpread = now.lowerQuartile > then.upperQuartile * (1.0 + runToRun) ||
-                                    now.upperQuartile < then.lowerQuartile / (1.0 + runToRun);
+                change.before = then.ratio;
+                change.now = now.ratio;
+                const double room = 1.0 + runToRun;
+                const bool apart = now.lowerQuartile > then.upperQuartile * room ||
+                                   now.upperQuartile < then.lowerQuartile / room;
+                change.leftSpread = apart && std::max(change.factor(), 1.0 / change.factor()) > room;
             }
             changes.push_back(change);
         }

@@ -15,15 +15,17 @@ struct Change {
     std::string workload;
     std::string query;
     std::string method;
-    double before = 0.0;  ///< median of ours over its
+    double before = 0.0;  ///< ours over its, of the minima
     double now = 0.0;
-    bool leftSpread = false;   ///< the quartiles of then and now, widened by runToRun, do not meet
+    /// By more than runToRun, and the quartiles of then and now, widened by as much, do not meet: on a busy
+    /// machine quartiles wander and minima stay, on a quiet one both stay.
+    bool leftSpread = false;
     bool becameWrong = false;  ///< of the library alone: it was right on all rays, and is no more
 
     [[nodiscard]] double factor() const { return now / before; }
 };
 
-/// By how much medians of the same program differ from run to run, whatever their quartiles say: seeds, and
+/// By how much ratios of the same program differ from run to run, whatever their quartiles say: seeds, and
 /// where the driver put the code.
 inline constexpr double runToRun = 0.05;
 

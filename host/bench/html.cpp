@@ -82,8 +82,9 @@ std::string runHtml(const BenchRun& run) {
                                 ratioPlot(run, query));
         }
     }
-    page += fmt::format("<h2>All workloads together</h2>\n<pre>{}\n{}</pre>\n<h2>Each workload</h2>\n",
-                        escaped(summaryText(run)), escaped(barsText(measureBars(run))));
+    page += fmt::format("<h2>All workloads together</h2>\n<pre>{}\n{}\n{}</pre>\n<h2>Each workload</h2>\n",
+                        escaped(steadinessText(run)), escaped(summaryText(run)),
+                        escaped(barsText(measureBars(run))));
     for (const CellResult& cell : run.cells) {
         page += fmt::format("<pre>{}</pre>\n", escaped(tableText(cell)));
     }

@@ -77,7 +77,8 @@ ReferenceTable parseReference(const std::filesystem::path& path, const json& tab
             const json& quartiles = method.at("quartiles");
             reference.rows.push_back(
                 {cell.at("workload").get<std::string>(), cell.at("query").get<std::string>(), name,
-                 quartiles.at(0).get<double>(), quartiles.at(1).get<double>(), quartiles.at(2).get<double>(),
+                 method.at("ratio").get<double>(), quartiles.at(0).get<double>(),
+                 quartiles.at(2).get<double>(),
                  method.at("wrong").get<std::size_t>() + method.at("gross").get<std::size_t>()});
         }
     }

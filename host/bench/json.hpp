@@ -27,8 +27,8 @@ struct ReferenceRow {
     std::string workload;
     std::string query;
     std::string method;
+    double ratio = 0.0;
     double lowerQuartile = 0.0;
-    double middleRatio = 0.0;
     double upperQuartile = 0.0;
     std::size_t wrong = 0;  ///< with gross ones
 };

@@ -112,7 +112,7 @@ ExitCode measure(const BenchOptions& options) {
     bool sound = true;
     cli::withDevice(options.device, [&](gpu::Context& context) {
         const BenchRun run = measureAll(context, options);
-        fmt::print("\n{}", summaryText(run));
+        fmt::print("\n{}\n{}", steadinessText(run), summaryText(run));
         const std::vector<Bar> bars = measureBars(run);
         if (!bars.empty()) {
             fmt::print("\n{}", barsText(bars));

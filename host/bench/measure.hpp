@@ -14,8 +14,8 @@ namespace raytorus::bench {
 
 struct MeasureOptions {
     std::uint32_t side = 4;      ///< of the picture, in blocks of 64 x 64 rays
-    unsigned rounds = 9;         ///< timed runs of each method
-    double leastSeconds = 4e-3;  ///< that a run of the library is to take; else the rays are answered again
+    unsigned rounds = 15;        ///< timed runs of each method
+    double leastSeconds = 2e-3;  ///< that a run of the library is to take; else the rays are answered again
     std::uint32_t layers = 0;    ///< how often a run answers the rays; 0: as leastSeconds wants
     std::uint64_t seed = 0;
 };

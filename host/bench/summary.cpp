@@ -15,6 +15,8 @@ namespace {
 
 using render::Query;
 
+constexpr double wideSpread = 1.1;
+
 bool isMade(const CellResult& cell) {
     return cell.workload.mode == Mode::Made;
 }
@@ -100,6 +102,22 @@ double geometricMean(const std::vector<double>& values) {
         sum += std::log(value);
     }
     return values.empty() ? 0.0 : std::exp(sum / static_cast<double>(values.size()));
+}
+
+std::string steadinessText(const BenchRun& run) {
+    std::size_t ratios = 0;
+    std::size_t wide = 0;
+    for (const CellResult& cell : run.cells) {
+        for (const MethodResult& method : cell.methods) {
+            if (method.name != ourName && method.times.lowerQuartile > 0.0) {
+                ++ratios;
+                wide += method.times.upperQuartile > wideSpread * method.times.lowerQuartile ? 1U : 0U;
+            }
+        }
+    }
+    return fmt::format("{} of {} ratios have quartiles more than {:.0f} % apart{}\n", wide, ratios,
+                       100.0 * (wideSpread - 1.0),
+                       20 * wide > ratios ? ": the machine was busy, trust the minima alone" : "");
 }
 
 std::string summaryText(const BenchRun& run) {

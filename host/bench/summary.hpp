@@ -9,6 +9,9 @@
 
 namespace raytorus::bench {
 
+/// How steady the ratios were: on a busy machine minima count and quartiles do not.
+std::string steadinessText(const BenchRun& run);
+
 /// Ours over its, each method a row, the geometric mean over the workloads of a pattern and query a column;
 /// and how much it was wrong over all. Streamed workloads are left out.
 std::string summaryText(const BenchRun& run);
