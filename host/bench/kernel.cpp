@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
 #include <cstring>
 #include <numeric>
 
@@ -43,7 +42,7 @@ std::size_t answerFloats(render::Query query) {
 }
 
 Kernel::Kernel(gpu::Context& deviceContext, std::uint32_t pictureSide)
-    : context(&deviceContext), side(pictureSide), timestamps(deviceContext) {}
+    : context(&deviceContext), side(pictureSide), stopwatch(deviceContext) {}
 
 std::uint32_t Kernel::pixels() const {
     return side * BENCH_BLOCK_SIDE;
@@ -78,16 +77,11 @@ void Kernel::reserve(std::size_t words) {
 
 double Kernel::run(gpu::Pipeline& chosen, const View& view, std::uint32_t layers) {
     chosen.bind(BENCH_BINDING_WORDS, output);
-    const auto start = std::chrono::steady_clock::now();
-    context->submit([&](VkCommandBuffer commands) {
+    return stopwatch.submit([&](VkCommandBuffer commands) {
         chosen.use(commands, std::as_bytes(std::span(&view, 1)));
-        timestamps.begin(commands);
         vkCmdDispatch(commands, side, side, layers);
-        timestamps.end(commands);
         gpu::bufferBarrier(commands, output, gpu::shaderWrite, gpu::hostRead);
     });
-    const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return timestamps.seconds().value_or(wall);
 }
 
 std::vector<render::TraceRay> Kernel::rays(Pattern pattern, const View& view) {

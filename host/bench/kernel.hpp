@@ -8,10 +8,10 @@
 #include <tuple>
 #include <vector>
 
+#include "bench/stopwatch.hpp"
 #include "bench/timed_method.hpp"
 #include "bench/view.hpp"
 #include "gpu/pipeline.hpp"
-#include "gpu/timestamps.hpp"
 
 namespace raytorus::bench {
 
@@ -54,7 +54,7 @@ private:
 
     gpu::Context* context;
     std::uint32_t side;
-    gpu::Timestamps timestamps;
+    Stopwatch stopwatch;
     gpu::Buffer output;
     std::map<Key, gpu::Pipeline> pipelines;  ///< kept: each takes some drivers a third of a second to make
 };

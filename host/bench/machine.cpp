@@ -7,6 +7,8 @@
 #include <fstream>
 #include <thread>
 
+#include "bench/stopwatch.hpp"
+
 namespace raytorus::bench {
 namespace {
 
@@ -35,7 +37,7 @@ Machine describeMachine(const gpu::Context& context) {
     machine.processor = processorName();
     machine.processors = std::thread::hardware_concurrency();
     machine.lavapipeThreads = threads != nullptr ? threads : "";
-    machine.clock = info.timestampPeriod > 0.0 ? "device timestamps" : "wall";
+    machine.clock = Stopwatch::clockOf(info);
     return machine;
 }
 

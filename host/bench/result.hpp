@@ -38,7 +38,7 @@ struct Machine {
     std::string processor;
     unsigned processors = 0;
     std::string lavapipeThreads;  ///< LP_NUM_THREADS; empty: not set
-    std::string clock;            ///< "device timestamps" or "wall"
+    std::string clock;            ///< see Stopwatch
 };
 
 struct BenchRun {

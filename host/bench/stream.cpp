@@ -2,7 +2,6 @@
 #include "bench/stream.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cstring>
 
 #include "gpu/commands.hpp"
@@ -25,7 +24,7 @@ Stream::Stream(gpu::Context& deviceContext, const reference::Torus& streamedToru
       torus(streamedTorus),
       countOfOne(rays.size()),
       count(rays.size() * copies),
-      timestamps(deviceContext),
+      stopwatch(deviceContext),
       rayBuffer(deviceContext, count * sizeof(render::TraceRay), gpu::BufferUse::Storage),
       hitBuffer(deviceContext, count * TRACE_ALL_FLOATS * sizeof(float), gpu::BufferUse::ReadBack) {
     for (std::size_t copy = 0; copy < copies; ++copy) {
@@ -53,17 +52,12 @@ Shot Stream::time(const TimedMethod& method, render::Query query) {
     // What an earlier run has left must not pass for this one's.
     std::ranges::fill(words, 0.0F);
     const PushConstants constants{torus.majorRadius, torus.minorRadius, static_cast<std::uint32_t>(count)};
-    const auto start = std::chrono::steady_clock::now();
-    context->submit([&](VkCommandBuffer commands) {
+    Shot shot;
+    shot.seconds = stopwatch.submit([&](VkCommandBuffer commands) {
         chosen.use(commands, std::as_bytes(std::span(&constants, 1)));
-        timestamps.begin(commands);
         vkCmdDispatch(commands, (constants.count + TRACE_GROUP_SIZE - 1) / TRACE_GROUP_SIZE, 1, 1);
-        timestamps.end(commands);
         gpu::bufferBarrier(commands, hitBuffer, gpu::shaderWrite, gpu::hostRead);
     });
-    const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    Shot shot;
-    shot.seconds = timestamps.seconds().value_or(wall);
     const std::size_t floatsOfOne = countOfOne * render::hitFloats(query);
     const std::span<const float> first = words.first(floatsOfOne);
     shot.checksum = checksumOf(first);

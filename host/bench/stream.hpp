@@ -26,7 +26,7 @@ private:
     reference::Torus torus;
     std::size_t countOfOne;
     std::size_t count;
-    gpu::Timestamps timestamps;
+    Stopwatch stopwatch;
     gpu::Buffer rayBuffer;
     gpu::Buffer hitBuffer;
     std::map<std::pair<std::string, std::uint32_t>, gpu::Pipeline> pipelines;
