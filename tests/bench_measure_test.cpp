@@ -180,12 +180,15 @@ TEST_F(BenchMeasure, CatchesAMethodThatAnswersOtherwiseWhenAskedAgain) {
     MeasureOptions options = smallest();
     options.layers = 3;
     Measurer measurer(test::device(), methods, options);
-    const std::vector<CellResult> cells = measurer.measure(tiles, std::array{Query::Nearest});
-    ASSERT_EQ(cells.size(), 1U);
-    EXPECT_EQ(cells[0].layers, 3U);
-    EXPECT_FALSE(resultOf(cells[0], "fickle").checksumHeld);
-    EXPECT_TRUE(resultOf(cells[0], "fickle").verdicts.right()) << "asked once it is right";
-    EXPECT_TRUE(resultOf(cells[0], ourName).checksumHeld);
+    for (const Workload& workload : {tiles, Workload{Mode::Streamed, Pattern::Tiles}}) {
+        SCOPED_TRACE(workload.name());
+        const std::vector<CellResult> cells = measurer.measure(workload, std::array{Query::Nearest});
+        ASSERT_EQ(cells.size(), 1U);
+        EXPECT_EQ(cells[0].layers, workload.mode == Mode::Streamed ? 16U : 3U);
+        EXPECT_FALSE(resultOf(cells[0], "fickle").checksumHeld);
+        EXPECT_TRUE(resultOf(cells[0], "fickle").verdicts.right()) << "asked once it is right";
+        EXPECT_TRUE(resultOf(cells[0], ourName).checksumHeld);
+    }
 }
 
 // Every method has its turn, its checksum holds, and the sphere is found to be no torus.

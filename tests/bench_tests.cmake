@@ -4,8 +4,8 @@ find_package(nlohmann_json REQUIRED)
 set(bench_shader "${PROJECT_SOURCE_DIR}/host/bench/bench.comp")
 raytorus_compile_shaders(raytorus_bench_defective NAMESPACE raytorus::bench_defective
     SOURCES "${bench_shader}" "${PROJECT_SOURCE_DIR}/shaders/trace.comp" INTERSECTOR defective_intersector.glsl)
-raytorus_compile_shaders(raytorus_bench_fickle NAMESPACE raytorus::bench_fickle SOURCES "${bench_shader}"
-    INTERSECTOR fickle_intersector.glsl)
+raytorus_compile_shaders(raytorus_bench_fickle NAMESPACE raytorus::bench_fickle
+    SOURCES "${bench_shader}" "${PROJECT_SOURCE_DIR}/shaders/trace.comp" INTERSECTOR fickle_intersector.glsl)
 
 raytorus_add_tests(bench_tests
     SOURCES

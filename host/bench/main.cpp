@@ -88,20 +88,6 @@ BenchRun measureAll(gpu::Context& context, const BenchOptions& options) {
     return run;
 }
 
-// Whether the library was right on every ray, and every run the same.
-bool isSound(const BenchRun& run) {
-    bool sound = true;
-    for (const CellResult& cell : run.cells) {
-        const MethodResult* ours = findMethod(cell, ourName);
-        if (ours != nullptr && !(ours->verdicts.right() && ours->checksumHeld)) {
-            fmt::print("{} {}: {}\n", cell.workload.name(), nameOf(cell.query),
-                       ours->checksumHeld ? "the library is wrong" : "runs of the library differ");
-            sound = false;
-        }
-    }
-    return sound;
-}
-
 ExitCode measure(const BenchOptions& options) {
     std::optional<ReferenceTable> reference;
     if (!options.against.empty()) {
@@ -109,7 +95,7 @@ ExitCode measure(const BenchOptions& options) {
     }
     const std::unique_ptr<OutputFile> json = openOutput(options.json);
     const std::unique_ptr<OutputFile> html = openOutput(options.html);
-    bool sound = true;
+    std::vector<std::string> faults;
     cli::withDevice(options.device, [&](gpu::Context& context) {
         const BenchRun run = measureAll(context, options);
         fmt::print("\n{}\n{}", steadinessText(run), summaryText(run));
@@ -122,9 +108,12 @@ ExitCode measure(const BenchOptions& options) {
         }
         writeTo(json, runJson(run));
         writeTo(html, runHtml(run));
-        sound = isSound(run);
+        faults = libraryFaults(run);
+        for (const std::string& fault : faults) {
+            fmt::print("{}\n", fault);
+        }
     });
-    return sound ? ExitCode::Ok : ExitCode::ComparisonFailed;
+    return faults.empty() ? ExitCode::Ok : ExitCode::ComparisonFailed;
 }
 
 ExitCode run(const BenchOptions& options) {

@@ -165,6 +165,23 @@ std::vector<Bar> measureBars(const BenchRun& run) {
     return bars;
 }
 
+std::vector<std::string> libraryFaults(const BenchRun& run) {
+    std::vector<std::string> faults;
+    for (const CellResult& cell : run.cells) {
+        const MethodResult* ours = findMethod(cell, ourName);
+        if (ours != nullptr && !ours->verdicts.right()) {
+            faults.push_back(fmt::format("{} {}: the library is wrong on {} of {} rays", cell.workload.name(),
+                                         nameOf(cell.query), ours->verdicts.wrong + ours->verdicts.gross,
+                                         ours->verdicts.judged));
+        }
+        if (ours != nullptr && !ours->checksumHeld) {
+            faults.push_back(
+                fmt::format("{} {}: runs of the library differ", cell.workload.name(), nameOf(cell.query)));
+        }
+    }
+    return faults;
+}
+
 std::string barsText(const std::vector<Bar>& bars) {
     std::string text = fmt::format("{:<40} {:>5} {:>7} {:>7}  {:<9} {}\n", "aim: our time over its", "limit",
                                    "mean", "worst", "held in", "worst at");

@@ -31,6 +31,9 @@ std::vector<Bar> measureBars(const BenchRun& run);
 /// A row each: the limit, the geometric mean, the worst, and in how many cells it is held.
 std::string barsText(const std::vector<Bar>& bars);
 
+/// A sentence for each cell in which the library was wrong on a ray, or two of its runs differed.
+std::vector<std::string> libraryFaults(const BenchRun& run);
+
 /// 0 if there are none.
 double geometricMean(const std::vector<double>& values);
 
