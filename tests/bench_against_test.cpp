@@ -89,6 +89,9 @@ TEST(BenchAgainst, NamesAnotherMachine) {
         << text;
     EXPECT_NE(text.find("another LP_NUM_THREADS: then \"1\", now \"\""), std::string::npos) << text;
     EXPECT_EQ(text.find("another device"), std::string::npos) << text;
+    EXPECT_EQ(text.find("another number of rays"), std::string::npos) << text;
+    now.cells[1].rays = 16384;
+    EXPECT_NE(againstText(then, now).find("another number of rays"), std::string::npos);
 }
 
 TEST(BenchAgainst, SaysWhenThereIsNothingToCompare) {

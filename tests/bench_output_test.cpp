@@ -44,7 +44,6 @@ TEST(BenchJson, HoldsEveryNumberOfTheRun) {
     EXPECT_EQ(cell.at("query"), "any");
     EXPECT_EQ(cell.at("hitPart"), 0.301);
     EXPECT_EQ(cell.at("rays"), 4096);
-    EXPECT_EQ(cell.at("layers"), 2);
     EXPECT_EQ(cell.at("methods").size(), 4U);
     const json& method = cell.at("methods").at("closed-form-common");
     EXPECT_EQ(method.at("min"), 21.0);
@@ -56,8 +55,9 @@ TEST(BenchJson, HoldsEveryNumberOfTheRun) {
     EXPECT_EQ(method.at("wrong"), 0);
     EXPECT_EQ(method.at("gross"), 0);
     EXPECT_EQ(method.at("p99"), 5e-8);
+    EXPECT_EQ(method.at("layers"), 2);
     EXPECT_EQ(method.at("checksumHeld"), true);
-    EXPECT_EQ(method.size(), 10U) << "nothing that this test has not seen";
+    EXPECT_EQ(method.size(), 11U) << "nothing that this test has not seen";
     EXPECT_EQ(cell.at("methods").at("ray-sphere").at("wrong"), 100);
 }
 

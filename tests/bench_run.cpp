@@ -15,6 +15,7 @@ bench::MethodResult method(const char* name, double netMinimum, double ratio, st
     result.times.middleRatio = ratio;
     result.times.upperQuartile = 1.02 * ratio;
     result.verdicts.judged = 1000;
+    result.layers = 2;
     result.verdicts.wrong = wrong;
     result.verdicts.positionP99 = 5e-8;
     return result;
@@ -36,7 +37,6 @@ bench::BenchRun madeUpRun(double ratio) {
             cell.query = query;
             cell.hitPart = 0.301;
             cell.rays = 4096;
-            cell.layers = 2;
             cell.methods = {method("empty", 0.0, 0.0, 0), method("raytorus", ours, 1.0, 0),
                             method("closed-form-common", ours / ratio, ratio, 0),
                             method("ray-sphere", ours / 10.0, 10.0, 100)};

@@ -13,7 +13,7 @@ namespace {
 std::function<Shot()> noting(std::string& log, char letter) {
     return [&log, letter] {
         log += letter;
-        return Shot{1.0, 7, true};
+        return Shot{1.0, 1.0, 7, true};
     };
 }
 
@@ -22,18 +22,23 @@ TEST(BenchTurns, BeginEachRoundWithTheNext) {
     const auto series = takeTurns({noting(log, 'a'), noting(log, 'b'), noting(log, 'c')}, 4);
     EXPECT_EQ(log, "abcabcbcacababc") << "once untimed, then in turns";
     for (const Series& its : series) {
-        EXPECT_EQ(its.seconds.size(), 4U);
+        EXPECT_EQ(its.nanoseconds.size(), 4U);
         EXPECT_TRUE(its.checksumHeld);
     }
+}
+
+TEST(BenchTurns, CountNanosecondsARay) {
+    const auto series = takeTurns({[] { return Shot{4.0, 2e9, 7, true}; }}, 1);
+    EXPECT_DOUBLE_EQ(series[0].nanoseconds.front(), 2.0);
 }
 
 TEST(BenchTurns, NoticeARunThatAnswersOtherwise) {
     unsigned runs = 0;
     const std::function<Shot()> changing = [&runs] {
         ++runs;
-        return Shot{1.0, runs == 3 ? 8U : 7U, true};
+        return Shot{1.0, 1.0, runs == 3 ? 8U : 7U, true};
     };
-    const std::function<Shot()> steady = [] { return Shot{1.0, 7, true}; };
+    const std::function<Shot()> steady = [] { return Shot{1.0, 1.0, 7, true}; };
     const auto series = takeTurns({changing, steady}, 4);
     EXPECT_FALSE(series[0].checksumHeld);
     EXPECT_TRUE(series[1].checksumHeld);
@@ -44,23 +49,23 @@ TEST(BenchTurns, NoticeLayersThatDiffer) {
         unsigned runs = 0;
         const auto series = takeTurns({[&] {
                                           ++runs;
-                                          return Shot{1.0, 7, runs != bad};
+                                          return Shot{1.0, 1.0, 7, runs != bad};
                                       }},
                                       3);
         EXPECT_FALSE(series[0].checksumHeld) << bad;
     }
 }
 
-// Rounds of a contestant, in seconds.
-Series rounds(std::vector<double> seconds) {
-    return {std::move(seconds), true};
+// Rounds of a contestant.
+Series rounds(std::vector<double> nanoseconds) {
+    return {std::move(nanoseconds), true};
 }
 
 TEST(BenchTimes, AreNetOfTheEmptyOneRoundByRound) {
     const Series empty = rounds({1, 1, 2, 1, 1});
     const Series ours = rounds({5, 6, 6, 5, 9});
     const Series its = rounds({3, 3, 4, 5, 3});
-    const Times times = timesOf(its, ours, &empty, 1e9);
+    const Times times = timesOf(its, ours, &empty);
     EXPECT_DOUBLE_EQ(times.minimum, 3);
     EXPECT_DOUBLE_EQ(times.median, 3);
     EXPECT_DOUBLE_EQ(times.netMinimum, 2);
@@ -72,7 +77,7 @@ TEST(BenchTimes, AreNetOfTheEmptyOneRoundByRound) {
 }
 
 TEST(BenchTimes, AreGrossWithoutAnEmptyOne) {
-    const Times times = timesOf(rounds({4, 8}), rounds({2, 2}), nullptr, 2e9);
+    const Times times = timesOf(rounds({2, 4}), rounds({1, 1}), nullptr);
     EXPECT_DOUBLE_EQ(times.minimum, 2);
     EXPECT_DOUBLE_EQ(times.median, 3);
     EXPECT_DOUBLE_EQ(times.netMinimum, 2);
@@ -81,7 +86,7 @@ TEST(BenchTimes, AreGrossWithoutAnEmptyOne) {
 
 TEST(BenchTimes, HaveNoRatioWhereNothingIsLeft) {
     const Series empty = rounds({2, 2});
-    const Times times = timesOf(rounds({2, 1}), rounds({4, 4}), &empty, 1e9);
+    const Times times = timesOf(rounds({2, 1}), rounds({4, 4}), &empty);
     EXPECT_EQ(times.ratio, 0.0);
     EXPECT_EQ(times.middleRatio, 0.0);
 }

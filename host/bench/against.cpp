@@ -60,8 +60,12 @@ std::vector<Change> compareWith(const ReferenceTable& reference, const BenchRun&
             if (!comparable && !becameWrong) {
                 continue;
             }
-            Change change{cell.workload.name(), nameOf(cell.query), method.name, 1.0, 1.0, false,
-                          becameWrong};
+            Change change;
+            change.workload = cell.workload.name();
+            change.query = nameOf(cell.query);
+            change.method = method.name;
+            change.otherRays = then.rays != cell.rays;
+            change.becameWrong = becameWrong;
             if (comparable) {
                 change.before = then.ratio;
                 change.now = now.ratio;
@@ -81,6 +85,9 @@ std::string againstText(const ReferenceTable& reference, const BenchRun& run) {
     std::string text = fmt::format("against {}\n{}", reference.file, machineNote(reference, run.machine));
     if (changes.empty()) {
         return text + "it has no cell and method in common with this run\n";
+    }
+    if (std::ranges::any_of(changes, &Change::otherRays)) {
+        text += "another number of rays: neighbours lie closer together, or further apart (see --rays)\n";
     }
     std::map<std::string, std::vector<double>> factors;
     for (const Change& change : changes) {

@@ -15,11 +15,12 @@ struct Change {
     std::string workload;
     std::string query;
     std::string method;
-    double before = 0.0;  ///< ours over its, of the minima
-    double now = 0.0;
+    double before = 1.0;  ///< ours over its, of the minima
+    double now = 1.0;
     /// By more than runToRun, and the quartiles of then and now, widened by as much, do not meet: on a busy
     /// machine quartiles wander and minima stay, on a quiet one both stay.
     bool leftSpread = false;
+    bool otherRays = false;    ///< another number of them: pixels lie closer, or further apart
     bool becameWrong = false;  ///< of the library alone: it was right on all rays, and is no more
 
     [[nodiscard]] double factor() const { return now / before; }

@@ -51,7 +51,7 @@ void addOptions(CLI::App& app, BenchOptions& options, Texts& texts, CLI::Option*
     app.add_option("--query", texts.queries, "nearest, any, all")
         ->delimiter(',')
         ->option_text("NAME,... [nearest,any,all]");
-    app.add_flag("--quick", texts.quick, "A tenth of the workloads, a quarter of the rays, 9 rounds");
+    app.add_flag("--quick", texts.quick, "An eighth of the workloads, 9 rounds");
     app.add_option("--rays", texts.rays, "Different rays of a workload: 4096, 16384, 65536 or 262144")
         ->check(CLI::IsMember({4096, 16384, 65536, 262144}))
         ->option_text("N [65536]");
@@ -135,7 +135,7 @@ std::optional<BenchOptions> parseOptions(const std::vector<std::string>& argumen
     options.device.context.pipelineStatistics = options.isa;
     options.device.context.compileOnly = options.isa;
     options.measure.rounds = texts.rounds > 0 ? texts.rounds : (texts.quick ? 9 : 15);
-    const std::uint32_t rays = texts.rays > 0 ? texts.rays : (texts.quick ? 16384 : 65536);
+    const std::uint32_t rays = texts.rays > 0 ? texts.rays : 65536;
     options.measure.side = 1;
     while (options.measure.side * options.measure.side * 4096 < rays) {
         options.measure.side *= 2;

@@ -48,15 +48,16 @@ ordered_json methodJson(const MethodResult& method) {
     out["wrong"] = method.verdicts.wrong;
     out["gross"] = method.verdicts.gross;
     out["p99"] = rounded(method.verdicts.positionP99);
+    out["layers"] = method.layers;
     out["checksumHeld"] = method.checksumHeld;
     return out;
 }
 
 std::string cellText(const CellResult& cell) {
     std::string text = fmt::format(
-        " {{\"workload\": \"{}\", \"query\": \"{}\", \"hitPart\": {:g}, \"rays\": {}, \"layers\": {}, "
+        " {{\"workload\": \"{}\", \"query\": \"{}\", \"hitPart\": {:g}, \"rays\": {}, "
         "\"methods\": {{",
-        cell.workload.name(), nameOf(cell.query), rounded(cell.hitPart), cell.rays, cell.layers);
+        cell.workload.name(), nameOf(cell.query), rounded(cell.hitPart), cell.rays);
     const char* separator = "\n";
     for (const MethodResult& method : cell.methods) {
         text += fmt::format("{}  \"{}\": {}", separator, method.name, methodJson(method).dump());
@@ -79,7 +80,8 @@ ReferenceTable parseReference(const std::filesystem::path& path, const json& tab
                 {cell.at("workload").get<std::string>(), cell.at("query").get<std::string>(), name,
                  method.at("ratio").get<double>(), quartiles.at(0).get<double>(),
                  quartiles.at(2).get<double>(),
-                 method.at("wrong").get<std::size_t>() + method.at("gross").get<std::size_t>()});
+                 method.at("wrong").get<std::size_t>() + method.at("gross").get<std::size_t>(),
+                 cell.at("rays").get<std::size_t>()});
         }
     }
     return reference;

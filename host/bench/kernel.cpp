@@ -112,6 +112,7 @@ Shot Kernel::time(const TimedMethod& method, render::Query query, Pattern patter
     std::ranges::fill(words, 0U);
     Shot shot;
     shot.seconds = run(chosen, view, layers);
+    shot.rays = static_cast<double>(rayCount()) * layers;
     const std::span<const std::uint32_t> first = words.first(invocations);
     shot.checksum = std::accumulate(first.begin(), first.end(), std::uint32_t{0});
     for (std::size_t layer = 1; layer < layers; ++layer) {

@@ -17,7 +17,8 @@ namespace raytorus::bench {
 
 /// One timed run of a method over all rays.
 struct Shot {
-    double seconds = 0.0;
+    double seconds = 0.0;        ///< of the whole run
+    double rays = 1.0;           ///< that it answered, each as often as there are layers
     std::uint32_t checksum = 0;  ///< see checksumOf; of the first layer
     bool layersAgree = true;     ///< whether every layer has added up the same
 };

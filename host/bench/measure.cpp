@@ -55,23 +55,18 @@ std::vector<CellResult> Measurer::measure(const Workload& workload, std::span<co
     return results;
 }
 
-std::uint32_t Measurer::layersFor(const Workload& workload, render::Query query, const View& view) {
+std::uint32_t Measurer::layersFor(double secondsOfOne) const {
     if (options.layers > 0) {
         return options.layers;
     }
-    const auto ours = std::ranges::find(methods, ourName, &TimedMethod::name);
-    kernel.time(*ours, query, workload.pattern, view, 1);  // the driver compiles
-    const double seconds = kernel.time(*ours, query, workload.pattern, view, 1).seconds;
-    const double wanted = std::ceil(options.leastSeconds / std::max(seconds, 1e-9));
+    const double wanted = std::ceil(options.leastSeconds / std::max(secondsOfOne, 1e-9));
     return static_cast<std::uint32_t>(std::clamp(wanted, 1.0, double{mostLayers}));
 }
 
 CellResult Measurer::measureQuery(const Workload& workload, render::Query query, const View& view,
                                   Truths& truths, Stream* stream,
                                   const std::function<void(double)>& progress) {
-    CellResult cell{workload, query, truths.hitPart(), kernel.rayCount(), 1, {}};
-    cell.layers = stream != nullptr ? static_cast<std::uint32_t>(stream->rayCount() / kernel.rayCount())
-                                    : layersFor(workload, query, view);
+    CellResult cell{workload, query, truths.hitPart(), kernel.rayCount(), {}};
     std::vector<std::function<Shot()>> contestants;
     for (const TimedMethod& method : methods) {
         MethodResult result;
@@ -80,14 +75,17 @@ CellResult Measurer::measureQuery(const Workload& workload, render::Query query,
         if (stream != nullptr) {
             stream->time(method, query);
             answers = stream->answers(query);
+            result.layers = static_cast<std::uint32_t>(stream->rayCount() / kernel.rayCount());
             contestants.emplace_back([&method, query, stream] { return stream->time(method, query); });
         } else {
             answers = kernel.answers(method, query, workload.pattern, view);
-            const Shot shot = kernel.time(method, query, workload.pattern, view, 1);
-            result.checksumHeld = shot.checksum == checksumOf(answers);
-            contestants.emplace_back([this, &method, query, &workload, &view, &cell] {
-                return kernel.time(method, query, workload.pattern, view, cell.layers);
-            });
+            const auto time = [this, &method, query, &workload, &view](std::uint32_t layers) {
+                return kernel.time(method, query, workload.pattern, view, layers);
+            };
+            // In the first run the driver compiles.
+            result.checksumHeld = time(1).checksum == checksumOf(answers);
+            result.layers = layersFor(time(1).seconds);
+            contestants.emplace_back([time, layers = result.layers] { return time(layers); });
         }
         if (method.name != emptyName) {
             result.verdicts = truths.judge(query, answers);
@@ -96,7 +94,6 @@ CellResult Measurer::measureQuery(const Workload& workload, render::Query query,
         progress(0.5 * static_cast<double>(cell.methods.size()) / static_cast<double>(methods.size()));
     }
     const std::vector<Series> series = takeTurns(contestants, options.rounds);
-    const double raysARun = static_cast<double>(cell.rays) * cell.layers;
     const auto indexOf = [this](const char* name) {
         return static_cast<std::size_t>(std::ranges::find(methods, name, &TimedMethod::name) -
                                         methods.begin());
@@ -104,7 +101,7 @@ CellResult Measurer::measureQuery(const Workload& workload, render::Query query,
     // Streamed, what the rays and answers cost is the point.
     const Series* empty = stream != nullptr ? nullptr : &series[indexOf(emptyName)];
     for (std::size_t i = 0; i < series.size(); ++i) {
-        cell.methods[i].times = timesOf(series[i], series[indexOf(ourName)], empty, raysARun);
+        cell.methods[i].times = timesOf(series[i], series[indexOf(ourName)], empty);
         cell.methods[i].checksumHeld = cell.methods[i].checksumHeld && series[i].checksumHeld;
     }
     progress(1.0);

@@ -15,7 +15,7 @@ namespace raytorus::bench {
 struct MeasureOptions {
     std::uint32_t side = 4;      ///< of the picture, in blocks of 64 x 64 rays
     unsigned rounds = 15;        ///< timed runs of each method
-    double leastSeconds = 2e-3;  ///< that a run of the library is to take; else the rays are answered again
+    double leastSeconds = 2e-3;  ///< that a run is to take; else it answers the rays again and again
     std::uint32_t layers = 0;    ///< how often a run answers the rays; 0: as leastSeconds wants
     std::uint64_t seed = 0;
 };
@@ -32,7 +32,7 @@ public:
 private:
     CellResult measureQuery(const Workload& workload, render::Query query, const View& view, Truths& truths,
                             Stream* stream, const std::function<void(double)>& progress);
-    std::uint32_t layersFor(const Workload& workload, render::Query query, const View& view);
+    [[nodiscard]] std::uint32_t layersFor(double secondsOfOne) const;
 
     gpu::Context* context;
     std::vector<TimedMethod> methods;

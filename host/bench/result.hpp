@@ -17,15 +17,15 @@ struct MethodResult {
     Times times;
     Verdicts verdicts;         ///< of the empty method: nothing was judged
     bool checksumHeld = true;  ///< every timed run gave the same answers as the verified one
+    std::uint32_t layers = 1;  ///< how often a run answered each ray
 };
 
 /// One workload and one query: the methods side by side.
 struct CellResult {
     Workload workload;
     render::Query query = render::Query::Nearest;
-    double hitPart = 0.0;      ///< of the rays, measured
-    std::size_t rays = 0;      ///< different ones
-    std::uint32_t layers = 1;  ///< how often each was answered in a run
+    double hitPart = 0.0;  ///< of the rays, measured
+    std::size_t rays = 0;  ///< different ones
     std::vector<MethodResult> methods;
 };
 

@@ -53,6 +53,7 @@ Shot Stream::time(const TimedMethod& method, render::Query query) {
     std::ranges::fill(words, 0.0F);
     const PushConstants constants{torus.majorRadius, torus.minorRadius, static_cast<std::uint32_t>(count)};
     Shot shot;
+    shot.rays = static_cast<double>(count);
     shot.seconds = stopwatch.submit([&](VkCommandBuffer commands) {
         chosen.use(commands, std::as_bytes(std::span(&constants, 1)));
         vkCmdDispatch(commands, (constants.count + TRACE_GROUP_SIZE - 1) / TRACE_GROUP_SIZE, 1, 1);

@@ -30,9 +30,8 @@ std::string ratioText(double ratio) {
 
 std::string tableText(const CellResult& cell) {
     const std::size_t judged = cell.methods.empty() ? 0 : cell.methods.back().verdicts.judged;
-    std::string text = fmt::format(
-        "{} {}: {:.1f} % of {} rays hit, {} judged, each answered {} time(s) a run\n", cell.workload.name(),
-        nameOf(cell.query), 100.0 * cell.hitPart, cell.rays, judged, cell.layers);
+    std::string text = fmt::format("{} {}: {:.1f} % of {} rays hit, {} judged\n", cell.workload.name(),
+                                   nameOf(cell.query), 100.0 * cell.hitPart, cell.rays, judged);
     text += fmt::format("  {:<21} {:>8} {:>8} {:>8}  {:>6} {:>6} - {:<6}   {:>6} {:>6} {:>8}\n", "method",
                         "ns/ray", "median", "net", "ours/it", "q1", "q3", "wrong", "gross", "p99");
     for (const MethodResult& method : cell.methods) {

@@ -25,7 +25,7 @@ std::vector<Series> takeTurns(const std::vector<std::function<Shot()>>& contesta
         for (std::size_t turn = 0; turn < contestants.size(); ++turn) {
             const std::size_t i = (round + turn) % contestants.size();
             const Shot shot = contestants[i]();
-            series[i].seconds.push_back(shot.seconds);
+            series[i].nanoseconds.push_back(1e9 * shot.seconds / shot.rays);
             const bool held = shot.layersAgree && shot.checksum == checksums[i];
             series[i].checksumHeld = series[i].checksumHeld && held;
         }
@@ -33,19 +33,18 @@ std::vector<Series> takeTurns(const std::vector<std::function<Shot()>>& contesta
     return series;
 }
 
-Times timesOf(const Series& its, const Series& ours, const Series* empty, double raysARun) {
-    const double scale = 1e9 / raysARun;
-    const auto minimumOf = [](const Series& series) { return *std::ranges::min_element(series.seconds); };
+Times timesOf(const Series& its, const Series& ours, const Series* empty) {
+    const auto minimumOf = [](const Series& series) { return *std::ranges::min_element(series.nanoseconds); };
     const double idle = empty != nullptr ? minimumOf(*empty) : 0.0;
     Times times;
-    times.minimum = scale * minimumOf(its);
-    times.median = scale * quantile(its.seconds, 0.5);
-    times.netMinimum = scale * (minimumOf(its) - idle);
+    times.minimum = minimumOf(its);
+    times.median = quantile(its.nanoseconds, 0.5);
+    times.netMinimum = minimumOf(its) - idle;
     times.ratio = ratioOf(minimumOf(ours) - idle, minimumOf(its) - idle);
     std::vector<double> ratios;
-    for (std::size_t round = 0; round < its.seconds.size(); ++round) {
-        const double idleNow = empty != nullptr ? empty->seconds[round] : 0.0;
-        const double ratio = ratioOf(ours.seconds[round] - idleNow, its.seconds[round] - idleNow);
+    for (std::size_t round = 0; round < its.nanoseconds.size(); ++round) {
+        const double idleNow = empty != nullptr ? empty->nanoseconds[round] : 0.0;
+        const double ratio = ratioOf(ours.nanoseconds[round] - idleNow, its.nanoseconds[round] - idleNow);
         if (ratio > 0.0) {
             ratios.push_back(ratio);
         }

@@ -11,8 +11,8 @@ namespace raytorus::bench {
 
 /// What the runs of one contestant were.
 struct Series {
-    std::vector<double> seconds;  ///< by round
-    bool checksumHeld = true;     ///< every run's checksum was that of the first, and its layers agreed
+    std::vector<double> nanoseconds;  ///< a ray, by round
+    bool checksumHeld = true;         ///< every run's checksum was that of the first, and its layers agreed
 };
 
 /// Runs every contestant once a round, for so many rounds, each round beginning with the next one: A B C, B C
@@ -34,7 +34,7 @@ struct Times {
 };
 
 /// `empty` may be null: then nothing is taken off.
-Times timesOf(const Series& its, const Series& ours, const Series* empty, double raysARun);
+Times timesOf(const Series& its, const Series& ours, const Series* empty);
 
 /// Of values in any order, linearly between two of them; `part` from 0 to 1. 0 if there are none.
 double quantile(std::vector<double> values, double part);
