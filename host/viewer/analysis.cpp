@@ -191,6 +191,9 @@ PixelAnalysis PixelJudge::judge(const image::Image& picture, int x, int y) const
     result.fromSurface =
         (std::sqrt(fromRing * fromRing + local[2] * local[2]) - static_cast<double>(torus.radii.y)) / unit;
     result.fromReference = distanceOf(found, toWorld(torus, truth.nearest.position)) / unit;
+    if (!std::isfinite(result.fromReference)) {  // no number, which is larger than no bound
+        result = {ANALYSIS_WRONG, 0.0, 0.0};
+    }
     return result;
 }
 
