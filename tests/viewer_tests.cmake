@@ -12,7 +12,11 @@ pkg_check_modules(XCB REQUIRED IMPORTED_TARGET xcb)
 raytorus_add_tests(viewer_tests
     SOURCES
         run_program.cpp
+        viewer_analysis_test.cpp
         viewer_documentation_test.cpp
+        viewer_navigation_test.cpp
+        viewer_output_test.cpp
+        viewer_resolution_test.cpp
         window_display.cpp
         window_failure_test.cpp
         window_fault_test.cpp
