@@ -82,6 +82,11 @@ struct Window::Callbacks {
         addPointer(window, event, x, y);
     }
 
+    // On Wayland a pointer that enters does not count as moved.
+    static void enter(GLFWwindow* window, int) {
+        glfwGetCursorPos(window, &of(window).pointerX, &of(window).pointerY);
+    }
+
     static void scroll(GLFWwindow* window, double x, double y) {
         InputEvent event;
         event.type = InputEvent::Type::Scroll;
@@ -119,6 +124,7 @@ Window::Window(const std::string& title, int width, int height) {
     glfwSetKeyCallback(window, &Callbacks::key);
     glfwSetMouseButtonCallback(window, &Callbacks::button);
     glfwSetCursorPosCallback(window, &Callbacks::move);
+    glfwSetCursorEnterCallback(window, &Callbacks::enter);
     glfwSetScrollCallback(window, &Callbacks::scroll);
     glfwSetDropCallback(window, &Callbacks::drop);
     glfwSetWindowRefreshCallback(window, &Callbacks::refreshed);
