@@ -48,9 +48,9 @@ std::optional<std::string> missingForWindows() {
 }
 
 struct Display::Server {
-    // -noreset: the server stays as it is when the last window has gone.
+    // -noreset: the server stays as it is when the last window has gone. -r: a key that is held is one press.
     explicit Server(const std::filesystem::path& errors)
-        : process(xvfb, {"-displayfd", "1", "-screen", "0", "1280x1024x24", "-noreset"}, {}, errors) {
+        : process(xvfb, {"-displayfd", "1", "-screen", "0", "1280x1024x24", "-noreset", "-r"}, {}, errors) {
         const std::optional<std::string> number = process.readLine();
         if (!number) {
             throw std::runtime_error("Xvfb does not start: " + process.errorText());

@@ -90,16 +90,14 @@ void LiveProcess::kill() noexcept {
     }
 }
 
-std::optional<std::string> LiveProcess::readLine() {
-    const auto deadline = std::chrono::steady_clock::now() + patience;
+std::optional<std::string> LiveProcess::readLine(Clock::time_point deadline) {
     for (;;) {
         if (const std::size_t end = unread.find('\n'); end != std::string::npos) {
             std::string line = unread.substr(0, end);
             unread.erase(0, end + 1);
             return line;
         }
-        const auto left =
-            std::chrono::ceil<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
+        const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
         if (left.count() <= 0) {
             throw std::runtime_error("the program printed no line in time");
         }

@@ -17,7 +17,7 @@ class LiveProcess {
 public:
     /// How long a test waits for what has to come. Long, since machines are slow at times and nothing is
     /// measured by it.
-    static constexpr std::chrono::seconds patience{15};
+    static constexpr std::chrono::seconds patience{90};
 
     /// Starts it in `settings.folder`. Its standard error goes to the file `errors`. It is killed when the
     /// process of the tests dies, whichever way. Throws std::system_error.
@@ -28,9 +28,11 @@ public:
     /// Kills it if it still runs.
     ~LiveProcess();
 
-    /// The next line of its standard output; nothing when it has closed it. Throws std::runtime_error if none
-    /// comes.
-    std::optional<std::string> readLine();
+    using Clock = std::chrono::steady_clock;
+
+    /// The next line of its standard output; nothing when it has closed it. Throws std::runtime_error if
+    /// there is none by then.
+    std::optional<std::string> readLine(Clock::time_point deadline = Clock::now() + patience);
 
     /// Its exit code, or minus the signal's number. Throws std::runtime_error, and kills it, if it does not
     /// end.

@@ -83,10 +83,10 @@ void WindowTest::open(const Arguments& arguments, const Environment& environment
     await("settled");
 }
 
-WindowTest::Json WindowTest::nextEvent() {
+WindowTest::Json WindowTest::nextEvent(LiveProcess::Clock::time_point deadline) {
     std::optional<std::string> line;
     try {
-        line = viewer->readLine();
+        line = viewer->readLine(deadline);
     } catch (const std::runtime_error& error) {
         giveUp(error.what());
     }
@@ -105,9 +105,10 @@ WindowTest::Json WindowTest::nextEvent() {
 }
 
 WindowTest::Json WindowTest::await(const std::string& name, const std::function<bool(const Json&)>& accepts) {
+    const auto deadline = LiveProcess::Clock::now() + LiveProcess::patience;
     try {
         for (;;) {
-            Json event = nextEvent();
+            Json event = nextEvent(deadline);
             if (event["event"] == name && accepts(event)) {
                 return event;
             }
@@ -170,7 +171,8 @@ std::string WindowTest::expectEnd(ExitCode code) {
         ADD_FAILURE() << "no viewer was started";
         return {};
     }
-    while (const auto line = viewer->readLine()) {
+    const auto deadline = LiveProcess::Clock::now() + LiveProcess::patience;
+    while (const auto line = viewer->readLine(deadline)) {
         lines.push_back(*line);
     }
     const int status = viewer->wait();

@@ -43,7 +43,8 @@ protected:
     Json await(const std::string& name);
     Json await(const std::string& name, const std::function<bool(const Json&)>& accepts);
     /// The next event, whatever it is.
-    Json nextEvent();
+    Json nextEvent(LiveProcess::Clock::time_point deadline = LiveProcess::Clock::now() +
+                                                             LiveProcess::patience);
 
     /// Presses keys, by xdotool's names ("shift+Left"), and waits until the viewer has taken them.
     void press(std::initializer_list<std::string> keys);
