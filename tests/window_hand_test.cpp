@@ -74,7 +74,8 @@ TEST_F(WindowHand, LeftDragOrbitsRightDragAndShiftDragPanAndTheWheelDollies) {
 
 TEST_F(WindowHand, AClickTakesThatPixelApartAsExplainDoes) {
     open({scene("chain"), "--size", "160x100", "--no-panel", "--spp", "1"});
-    for (const auto& [x, y] : {std::pair(80, 50), std::pair(0, 0), std::pair(159, 99), std::pair(31, 64)}) {
+    // Not (0, 0): GLFW takes a motion to there for one of its own, and does not tell.
+    for (const auto& [x, y] : {std::pair(80, 50), std::pair(0, 1), std::pair(159, 99), std::pair(31, 64)}) {
         hand({"mousemove", std::to_string(x), std::to_string(y), "click", "1"});
         const Json picked = await("picked");
         EXPECT_EQ(picked["x"], x);

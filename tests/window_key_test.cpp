@@ -69,7 +69,7 @@ bool isWork(const std::string& group, const std::string& event) {
         {"Time", {"time"}},
         {"Picture", {"samples", "screenshot", "window-screenshot", "saved"}},
         {"Pixel", {"picked", "copied", "shown"}},
-        {"Window", {"shown", "scene", "fullscreen", "focus"}}};
+        {"Window", {"shown", "scene", "fullscreen", "minimised", "focus"}}};
     return events.at(group).contains(event);
 }
 
