@@ -93,6 +93,21 @@ TEST(PictureWriter, ErrorsComeBackAndEndTheWriting) {
     EXPECT_EQ(hand.written, std::vector<std::string>{"a 1"});
 }
 
+TEST(PictureWriter, RendererThatWaitsForRoomHearsOfTheError) {
+    Hand hand;
+    hand.failing = "a";
+    PictureWriter writer(1, hand.write());
+    writer.write("a", wide(1));
+    hand.began.acquire();
+    writer.write("b", wide(1));
+    std::thread renderer([&] {
+        test::expectError([&] { writer.write("c", wide(1)); }, ExitCode::File, {"the disk is full"});
+    });
+    hand.go.release(1);
+    renderer.join();
+    EXPECT_TRUE(hand.written.empty());
+}
+
 TEST(PictureWriter, ErrorOfTheLastPictureComesBackAtTheEnd) {
     Hand hand;
     hand.failing = "a";

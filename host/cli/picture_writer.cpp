@@ -60,9 +60,6 @@ void PictureWriter::run() {
         writing = false;
         failure = problem;
         changed.notify_all();
-        if (failure) {
-            return;
-        }
     }
 }
 
