@@ -102,7 +102,8 @@ TEST_F(ProgramBench, StreamsToo) {
         expectOk({"--workload", "stream-tiles/*", "--method", "ray-sphere", "--rays", "4096", "--rounds", "1",
                   "--query", "nearest,any", "--validate", "--json", "now.json"});
     EXPECT_NE(out.find("\nstream-tiles/0.25/near/30 nearest: "), std::string::npos) << out;
-    for (const json& cell : table("now.json").at("cells")) {
+    const json now = table("now.json");
+    for (const json& cell : now.at("cells")) {
         EXPECT_EQ(cell.at("methods").at("raytorus").at("layers"), 16) << "copies";
         EXPECT_EQ(cell.at("methods").at("raytorus").at("wrong"), 0);
         EXPECT_GT(cell.at("methods").at("ray-sphere").at("wrong"), 100);

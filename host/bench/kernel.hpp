@@ -45,6 +45,10 @@ public:
     Shot time(const TimedMethod& method, render::Query query, Pattern pattern, const View& view,
               std::uint32_t layers);
 
+    /// Lets go of all pipelines. Where a driver for processors puts their code can cost a third of the time,
+    /// for as long as they live.
+    void forgetPipelines() { pipelines.clear(); }
+
 private:
     using Key = std::tuple<std::string, std::uint32_t, Pattern, std::uint32_t>;
 

@@ -29,6 +29,7 @@ Measurer::Measurer(gpu::Context& deviceContext, std::vector<TimedMethod> chosen,
 std::vector<CellResult> Measurer::measure(const Workload& workload, std::span<const render::Query> queries,
                                           const std::function<void(double)>& progress) {
     const reference::Torus torus = workload.torus();
+    kernel.forgetPipelines();  // so that no method has bad luck in every workload
     // An odd stride, so that every column of the picture is looked at.
     const std::size_t stride = kernel.rayCount() / aimingRays | 1U;
     const View view = aim(workload, kernel.pixels(), options.seed, [&](const View& tried) {
