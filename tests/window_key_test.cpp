@@ -132,8 +132,8 @@ TEST_F(WindowKey, GoesToThePictureWhileThePanelIsOpenAndToThePanelWhenAskedTo) {
     for (const char* key : {"Left", "Right", "Up", "Down", "Left"}) {
         hand({"keydown", key});
         await("camera");
-        await("settled");  // the key was held in several frames
-        hand({"keyup", key});
+        hand({"keyup", key});  // not later: a key that is held repeats, and then nothing settles
+        await("settled");
     }
 
     press({"F6"});
