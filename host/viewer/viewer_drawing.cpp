@@ -138,7 +138,8 @@ void ViewerLoop::showFrame() {
         recordFrame(commands, target, {extent.width > 0 ? &viewPass.shown() : nullptr, extent, fills()}, gui,
                     swapchain.renderPass(), copy ? &*copy : nullptr);
     });
-    if (result == FrameResult::Later) {
+    unshown = result == FrameResult::Later;
+    if (unshown) {
         return;
     }
     --dirtyFrames;

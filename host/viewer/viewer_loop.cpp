@@ -14,7 +14,8 @@
 namespace raytorus::viewer {
 namespace {
 
-constexpr double idleSeconds = 0.05;  // between looks at files and at the background's work
+constexpr double idleSeconds = 0.05;    // between looks at files and at the background's work
+constexpr double retrySeconds = 0.005;  // after a frame that the window did not take
 constexpr double messageSeconds = 4.0;
 constexpr double largestTimeStep =
     0.1;  // of an animation: after a pause of the program it goes on from there
@@ -74,7 +75,8 @@ void ViewerLoop::say(const std::string& text) {
 void ViewerLoop::round() {
     const bool moves = animated() && state.animation.playing;
     const bool busy = pictures.drawing() || dirtyFrames > 0 || viewStale || moves || isScript();
-    const std::vector<InputEvent> events = window.poll(busy && !hidden ? 0.0 : idleSeconds);
+    const double wait = unshown ? retrySeconds : 0.0;
+    const std::vector<InputEvent> events = window.poll(busy && !hidden ? wait : idleSeconds);
     takeTime();
     for (const InputEvent& event : events) {
         take(event);

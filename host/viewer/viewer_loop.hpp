@@ -116,6 +116,7 @@ private:
     double lastFrame = 0.0;
     VkExtent2D lastSize{};
     bool hidden = false;
+    bool unshown = false;  // the last frame was not taken by the window
     std::tuple<View, double, int> lastLooks{View::Shaded, -1.0, 0};
     bool viewStale = true;
     bool windowWritten = false;
