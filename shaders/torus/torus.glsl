@@ -161,13 +161,15 @@ int torusIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, floa
     for (int i = 0; i < 4; ++i) {
         float u = 0.0;
         bool rising = false;
-        bool exists = torus_crossing(line, spans, i, true, u, rising);
-        float exactU;
-        TorusHit hit = torus_hit(line, u, rising, from, tMax, exactU);
-        if (exists && exactU >= line.lower && exactU <= line.upper) {
-            hits[count] = hit;
-            from = hit.t;
-            ++count;
+        // Where there is no crossing the last step would go on from anywhere to nowhere, as often as it may.
+        if (torus_crossing(line, spans, i, true, u, rising)) {
+            float exactU;
+            TorusHit hit = torus_hit(line, u, rising, from, tMax, exactU);
+            if (exactU >= line.lower && exactU <= line.upper) {
+                hits[count] = hit;
+                from = hit.t;
+                ++count;
+            }
         }
     }
     return count;

@@ -31,7 +31,7 @@ constexpr Mutation rows[] = {
      "point.high + (point.low + step * line.direction)", "the position in units of the torus' size"},
     {"nearest-beyond-the-end", torus, "if (!(exactU <= line.upper))", "if (false)",
      "a hit beyond tMax is returned"},
-    {"all-behind-the-start", torus, "exists && exactU >= line.lower && exactU", "exists && exactU",
+    {"all-behind-the-start", torus, "exactU >= line.lower && exactU <= line.upper", "exactU <= line.upper",
      "hits behind the start are counted"},
     {"all-beyond-the-end", torus, "exactU >= line.lower && exactU <= line.upper", "exactU >= line.lower",
      "hits beyond the end are counted", Shows::InNumbers},
