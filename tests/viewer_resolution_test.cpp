@@ -86,5 +86,28 @@ TEST(Resolution, LearnsBothWays) {
     EXPECT_EQ(resolution.movingExtent(window).width, 800U);
 }
 
+TEST(Resolution, LeavesTimeForShowing) {
+    const VkExtent2D window{800, 600};
+    Resolution resolution;
+    resolution.learn(window, 1, 0.001 + 0.016);  // the whole picture just fits
+    EXPECT_EQ(pixelsOf(resolution.movingExtent(window)), pixelsOf(window));
+    for (int i = 0; i < 50; ++i) {
+        resolution.learnShowing(0.020);
+    }
+    const double slower = pixelsOf(resolution.movingExtent(window));
+    EXPECT_LE(slower / pixelsOf(window) * 0.016 + 0.020, Resolution::frameSeconds + 1e-9);
+    EXPECT_GT(slower, 0.4 * pixelsOf(window));  // of the half that there is time for
+    for (int i = 0; i < 50; ++i) {
+        resolution.learnShowing(10.0);  // hopeless: the least that a drawing has
+    }
+    const double least = pixelsOf(resolution.movingExtent(window));
+    EXPECT_GT(least, 0.2 * pixelsOf(window));
+    EXPECT_LT(least, slower);
+    for (int i = 0; i < 50; ++i) {
+        resolution.learnShowing(0.0);
+    }
+    EXPECT_EQ(pixelsOf(resolution.movingExtent(window)), pixelsOf(window));
+}
+
 }  // namespace
 }  // namespace raytorus::viewer

@@ -50,6 +50,9 @@ public:
     /// Draws for about so long. True: the pictures that are shown are others than before.
     bool draw(double seconds);
 
+    /// What showing a moving picture takes.
+    void learnShowing(double seconds) { resolution.learnShowing(seconds); }
+
     /// Nothing is left to be drawn.
     [[nodiscard]] bool settled() const;
     /// How good the pictures are that are shown; nothing: none are complete.

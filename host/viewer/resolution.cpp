@@ -19,13 +19,19 @@ void Resolution::learn(VkExtent2D extent, int samples, double seconds) {
     secondsPerPixel += trust * (cost - secondsPerPixel);
 }
 
+void Resolution::learnShowing(double seconds) {
+    constexpr double trust = 0.2;
+    secondsToShow += trust * (std::clamp(seconds, 0.0, 0.1) - secondsToShow);
+}
+
 VkExtent2D Resolution::movingExtent(VkExtent2D window) const {
+    const double budget = std::clamp(frameSeconds - secondsToShow, leastSeconds, movingSeconds);
     const double pixels = static_cast<double>(window.width) * window.height;
     const double all = secondsPerPixel * pixels;
-    if (all <= movingSeconds) {
+    if (all <= budget) {
         return window;
     }
-    const double scale = std::max(std::sqrt(movingSeconds / all), 0.125);
+    const double scale = std::max(std::sqrt(budget / all), 0.125);
     const auto side = [scale](std::uint32_t full) {
         const auto wanted = static_cast<std::uint32_t>(scale * full) / 8 * 8;
         return std::clamp(wanted, std::min(8U, full), full);

@@ -41,7 +41,10 @@ void ViewerLoop::updatePictures(VkExtent2D size) {
     try {
         pictures.resize(size);
         pictures.update(wish, clock());
-        if (pictures.draw(drawSeconds)) {
+        const double drawingFrom = clock();
+        const bool drawn = pictures.draw(drawSeconds);
+        roundDrawing = clock() - drawingFrom;
+        if (drawn) {
             viewStale = true;
             inspection.forget();
             notePicture();
@@ -168,6 +171,9 @@ void ViewerLoop::noteFrame() {
     const double now = clock();
     const double interval = std::max(now - std::exchange(lastFrame, now), 1e-6);
     const bool moving = pictures.shown() == Quality::Moving;
+    if (moving) {
+        pictures.learnShowing(now - roundBegin - roundDrawing);
+    }
     if (movedFrames > 0 && (!moving || movedSeconds >= 1.0)) {
         const VkExtent2D extent = pictures.extent();
         log.write("rate", {{"fps", movedFrames / movedSeconds},

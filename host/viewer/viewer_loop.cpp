@@ -77,6 +77,8 @@ void ViewerLoop::round() {
     const bool busy = pictures.drawing() || dirtyFrames > 0 || viewStale || moves || isScript();
     const double wait = unshown ? retrySeconds : 0.0;
     const std::vector<InputEvent> events = window.poll(busy && !hidden ? wait : idleSeconds);
+    roundBegin = clock();
+    roundDrawing = 0.0;
     takeTime();
     for (const InputEvent& event : events) {
         take(event);

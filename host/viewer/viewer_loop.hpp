@@ -114,6 +114,8 @@ private:
     Clock::time_point begin = Clock::now();
     double lastRound = 0.0;
     double lastFrame = 0.0;
+    double roundBegin = 0.0;
+    double roundDrawing = 0.0;  // seconds of this round that went into pictures
     VkExtent2D lastSize{};
     bool hidden = false;
     bool unshown = false;  // the last frame was not taken by the window
