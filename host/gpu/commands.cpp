@@ -5,8 +5,8 @@
 
 namespace raytorus::gpu {
 
-void imageBarrier(VkCommandBuffer commands, const Image& image, Use before, VkImageLayout oldLayout,
-                  Use after, VkImageLayout newLayout) {
+void imageBarrier(VkCommandBuffer commands, VkImage image, Use before, VkImageLayout oldLayout, Use after,
+                  VkImageLayout newLayout) {
     VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
     barrier.srcStageMask = before.stage;
     barrier.srcAccessMask = before.access;
@@ -16,12 +16,17 @@ void imageBarrier(VkCommandBuffer commands, const Image& image, Use before, VkIm
     barrier.newLayout = newLayout;
     barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
     barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-    barrier.image = image.get();
+    barrier.image = image;
     barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
     VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
     dependency.imageMemoryBarrierCount = 1;
     dependency.pImageMemoryBarriers = &barrier;
     vkCmdPipelineBarrier2(commands, &dependency);
+}
+
+void imageBarrier(VkCommandBuffer commands, const Image& image, Use before, VkImageLayout oldLayout,
+                  Use after, VkImageLayout newLayout) {
+    imageBarrier(commands, image.get(), before, oldLayout, after, newLayout);
 }
 
 void bufferBarrier(VkCommandBuffer commands, const Buffer& buffer, Use before, Use after) {
@@ -76,10 +81,13 @@ VkBufferImageCopy upperLeft(VkExtent2D extent) {
 
 }  // namespace
 
-void copyOut(VkCommandBuffer commands, const Image& image, VkExtent2D extent, const Buffer& buffer) {
+void copyOut(VkCommandBuffer commands, VkImage image, VkExtent2D extent, const Buffer& buffer) {
     const VkBufferImageCopy region = upperLeft(extent);
-    vkCmdCopyImageToBuffer(commands, image.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.get(), 1,
-                           &region);
+    vkCmdCopyImageToBuffer(commands, image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.get(), 1, &region);
+}
+
+void copyOut(VkCommandBuffer commands, const Image& image, VkExtent2D extent, const Buffer& buffer) {
+    copyOut(commands, image.get(), extent, buffer);
 }
 
 void copyIn(VkCommandBuffer commands, const Buffer& buffer, const Image& image, VkExtent2D extent) {

@@ -23,10 +23,14 @@ constexpr Use shaderWrite{VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SH
 constexpr Use shaderRead{VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_READ_BIT};
 constexpr Use copyRead{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT};
 constexpr Use copyWrite{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
+constexpr Use clearWrite{VK_PIPELINE_STAGE_2_CLEAR_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
+constexpr Use blitWrite{VK_PIPELINE_STAGE_2_BLIT_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
 constexpr Use hostRead{VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT};
 
 /// Orders `after` behind `before` and changes the layout. From VK_IMAGE_LAYOUT_UNDEFINED the contents are
 /// dropped.
+void imageBarrier(VkCommandBuffer commands, VkImage image, Use before, VkImageLayout oldLayout, Use after,
+                  VkImageLayout newLayout);
 void imageBarrier(VkCommandBuffer commands, const Image& image, Use before, VkImageLayout oldLayout,
                   Use after, VkImageLayout newLayout);
 
@@ -38,6 +42,7 @@ void drawScreen(VkCommandBuffer commands, std::span<const Image> attachments, Vk
 
 /// Copies the upper left `extent` of an image, which is in VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to a buffer:
 /// rows from the top, no gaps.
+void copyOut(VkCommandBuffer commands, VkImage image, VkExtent2D extent, const Buffer& buffer);
 void copyOut(VkCommandBuffer commands, const Image& image, VkExtent2D extent, const Buffer& buffer);
 
 /// Copies such rows from a buffer to the upper left of an image, which is in

@@ -4,30 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gpu/commands.hpp"
+
 namespace raytorus::viewer {
 namespace {
 
 constexpr VkImageSubresourceRange wholeImage{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-
-void barrier(VkCommandBuffer commands, VkImage image, VkPipelineStageFlags2 before, VkAccessFlags2 written,
-             VkImageLayout oldLayout, VkPipelineStageFlags2 after, VkAccessFlags2 used,
-             VkImageLayout newLayout) {
-    VkImageMemoryBarrier2 change{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
-    change.srcStageMask = before;
-    change.srcAccessMask = written;
-    change.dstStageMask = after;
-    change.dstAccessMask = used;
-    change.oldLayout = oldLayout;
-    change.newLayout = newLayout;
-    change.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-    change.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-    change.image = image;
-    change.subresourceRange = wholeImage;
-    VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-    dependency.imageMemoryBarrierCount = 1;
-    dependency.pImageMemoryBarriers = &change;
-    vkCmdPipelineBarrier2(commands, &dependency);
-}
 
 void blit(VkCommandBuffer commands, const FramePicture& picture, const FrameTarget& target) {
     const VkRect2D place =
@@ -63,10 +45,7 @@ FrameCopy::FrameCopy(const gpu::Context& context, VkExtent2D size)
     : extent(size), buffer(context, VkDeviceSize{4} * size.width * size.height, gpu::BufferUse::ReadBack) {}
 
 void FrameCopy::record(VkCommandBuffer commands, VkImage image) const {
-    VkBufferImageCopy region{};
-    region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-    region.imageExtent = {extent.width, extent.height, 1};
-    vkCmdCopyImageToBuffer(commands, image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.get(), 1, &region);
+    gpu::copyOut(commands, image, extent, buffer);
 }
 
 image::Image FrameCopy::picture(VkFormat format) const {
@@ -84,35 +63,32 @@ image::Image FrameCopy::picture(VkFormat format) const {
 
 void recordFrame(VkCommandBuffer commands, const FrameTarget& target, const FramePicture& picture,
                  const Gui& gui, VkRenderPass pass, const FrameCopy* copy) {
-    barrier(commands, target.image, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_NONE,
-            VK_IMAGE_LAYOUT_UNDEFINED, VK_PIPELINE_STAGE_2_CLEAR_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
-            VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+    constexpr gpu::Use window{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_NONE};
+    constexpr gpu::Use transfers{VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
+    constexpr gpu::Use panels{VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+                              VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT};
+    gpu::imageBarrier(commands, target.image, window, VK_IMAGE_LAYOUT_UNDEFINED, gpu::clearWrite,
+                      VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
     const VkClearColorValue dark{{0.03F, 0.03F, 0.035F, 1.0F}};
     vkCmdClearColorImage(commands, target.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &dark, 1, &wholeImage);
     if (picture.image != nullptr) {
-        barrier(commands, target.image, VK_PIPELINE_STAGE_2_CLEAR_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
-                VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_PIPELINE_STAGE_2_BLIT_BIT,
-                VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+        gpu::imageBarrier(commands, target.image, gpu::clearWrite, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                          gpu::blitWrite, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
         blit(commands, picture, target);
     }
-    barrier(commands, target.image, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
-            VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
-            VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
-            VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
+    gpu::imageBarrier(commands, target.image, transfers, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, panels,
+                      VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
     gui.draw(commands, pass, target);
+    gpu::Use last = gpu::colorWrite;
     VkImageLayout layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-    VkPipelineStageFlags2 stage = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
-    VkAccessFlags2 access = VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT;
     if (copy != nullptr) {
-        barrier(commands, target.image, stage, access, layout, VK_PIPELINE_STAGE_2_COPY_BIT,
-                VK_ACCESS_2_TRANSFER_READ_BIT, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+        gpu::imageBarrier(commands, target.image, last, layout, gpu::copyRead,
+                          VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
         copy->record(commands, target.image);
+        last = {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_NONE};
         layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
-        stage = VK_PIPELINE_STAGE_2_COPY_BIT;
-        access = VK_ACCESS_2_NONE;
     }
-    barrier(commands, target.image, stage, access, layout, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-            VK_ACCESS_2_NONE, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR);
+    gpu::imageBarrier(commands, target.image, last, layout, window, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR);
 }
 
 }  // namespace raytorus::viewer

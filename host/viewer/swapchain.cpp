@@ -217,7 +217,6 @@ void Swapchain::makeImages() {
         parts.finished = makeSemaphore();
         images.push_back(std::move(parts));
     }
-    ++generations;
     stale = false;
 }
 

@@ -36,7 +36,6 @@ public:
     [[nodiscard]] VkFormat format() const { return surfaceFormat.format; }
     /// Whether the format turns linear values into sRGB by itself.
     [[nodiscard]] bool encodesSrgb() const;
-    [[nodiscard]] std::uint32_t imageCount() const { return static_cast<std::uint32_t>(images.size()); }
 
     /// Keeps what is in the image (in VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL before and after) and draws
     /// over it.
@@ -49,9 +48,6 @@ public:
 
     /// Whether frames can be copied to the host.
     [[nodiscard]] bool canRead() const { return readable; }
-
-    /// How often images were made, for the events.
-    [[nodiscard]] int generation() const { return generations; }
 
 private:
     using Semaphore = gpu::Handle<VkSemaphore, vkDestroySemaphore>;
@@ -91,7 +87,6 @@ private:
     bool stale = true;
     bool readable = false;
     int failures = 0;  // to make images or to show one, in a row
-    int generations = 0;
 };
 
 }  // namespace raytorus::viewer

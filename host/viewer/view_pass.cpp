@@ -37,8 +37,7 @@ void ViewPass::need(VkExtent2D extent) {
     analysis = gpu::Image(*context, size);
     const VkClearColorValue pending{};
     context->submit([&](VkCommandBuffer commands) {
-        gpu::imageBarrier(commands, analysis, {}, VK_IMAGE_LAYOUT_UNDEFINED,
-                          {VK_PIPELINE_STAGE_2_CLEAR_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
+        gpu::imageBarrier(commands, analysis, {}, VK_IMAGE_LAYOUT_UNDEFINED, gpu::clearWrite,
                           VK_IMAGE_LAYOUT_GENERAL);
         const VkImageSubresourceRange all{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
         vkCmdClearColorImage(commands, analysis.get(), VK_IMAGE_LAYOUT_GENERAL, &pending, 1, &all);

@@ -191,10 +191,6 @@ float Window::contentScale() const {
     return std::max(std::max(x, y), 0.5F);
 }
 
-void Window::setTitle(const std::string& title) {
-    glfwSetWindowTitle(window, title.c_str());
-}
-
 void Window::toggleFullScreen() {
     if (glfwGetWindowMonitor(window) != nullptr) {
         glfwSetWindowMonitor(window, nullptr, restoreX, restoreY, restoreWidth, restoreHeight,

@@ -46,7 +46,6 @@ public:
     void close();
     [[nodiscard]] VkExtent2D framebufferSize() const;  ///< 0 x 0 while minimised
     [[nodiscard]] float contentScale() const;
-    void setTitle(const std::string& title);
     void toggleFullScreen();
     void minimise();
     void setClipboard(const std::string& text);
