@@ -173,7 +173,8 @@ void Context::destroy() noexcept {
     }
 }
 
-void Context::submit(const std::function<void(VkCommandBuffer)>& record) {
+void Context::submit(const std::function<void(VkCommandBuffer)>& record, VkSemaphore wait,
+                     VkSemaphore signal) {
     VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
     begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
     check(vkBeginCommandBuffer(commandBuffer, &begin), "vkBeginCommandBuffer");
@@ -181,23 +182,28 @@ void Context::submit(const std::function<void(VkCommandBuffer)>& record) {
     check(vkEndCommandBuffer(commandBuffer), "vkEndCommandBuffer");
     VkCommandBufferSubmitInfo commands{VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO};
     commands.commandBuffer = commandBuffer;
+    VkSemaphoreSubmitInfo begins{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
+    begins.semaphore = wait;
+    begins.stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    VkSemaphoreSubmitInfo ends = begins;
+    ends.semaphore = signal;
     VkSubmitInfo2 submission{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
+    submission.waitSemaphoreInfoCount = wait != VK_NULL_HANDLE ? 1 : 0;
+    submission.pWaitSemaphoreInfos = &begins;
+    submission.signalSemaphoreInfoCount = signal != VK_NULL_HANDLE ? 1 : 0;
+    submission.pSignalSemaphoreInfos = &ends;
     submission.commandBufferInfoCount = 1;
     submission.pCommandBufferInfos = &commands;
     check(vkQueueSubmit2(vkQueue, 1, &submission, fence.get()), "vkQueueSubmit2");
-    waitFor(fence);
-}
-
-void Context::waitFor(const Handle<VkFence, vkDestroyFence>& signalled) {
     const auto nanoseconds = static_cast<std::uint64_t>(std::ceil(timeoutSeconds * 1e9));
-    const VkResult waited = vkWaitForFences(device(), 1, signalled.address(), VK_TRUE, nanoseconds);
+    const VkResult waited = vkWaitForFences(device(), 1, fence.address(), VK_TRUE, nanoseconds);
     if (waited == VK_TIMEOUT) {
         deviceScope.abandoned = true;
         throw Error(ExitCode::DeviceLost, fmt::format("{} did not finish a piece of work within {} s",
                                                       deviceInfo.name, timeoutSeconds));
     }
     check(waited, "vkWaitForFences");
-    check(vkResetFences(device(), 1, signalled.address()), "vkResetFences");
+    check(vkResetFences(device(), 1, fence.address()), "vkResetFences");
 }
 
 Handle<VkDeviceMemory, vkFreeMemory> Context::allocate(const VkMemoryRequirements& requirements,

@@ -45,11 +45,10 @@ public:
     [[nodiscard]] bool hasFloat64() const { return float64; }
     [[nodiscard]] bool hasPipelineStatistics() const { return pipelineStatistics; }
 
-    /// Records commands, runs them and waits until they are done.
-    void submit(const std::function<void(VkCommandBuffer)>& record);
-
-    /// Waits until the fence is signalled, for as long as one submission may take, and resets it.
-    void waitFor(const Handle<VkFence, vkDestroyFence>& signalled);
+    /// Records commands, runs them and waits until they are done. They begin after `wait` is signalled, and
+    /// signal `signal`; each may be left out.
+    void submit(const std::function<void(VkCommandBuffer)>& record, VkSemaphore wait = VK_NULL_HANDLE,
+                VkSemaphore signal = VK_NULL_HANDLE);
 
     /// Memory for an object, of a type with the wanted properties (or, if there is none, the required ones).
     [[nodiscard]] Handle<VkDeviceMemory, vkFreeMemory> allocate(const VkMemoryRequirements& requirements,

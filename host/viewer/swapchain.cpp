@@ -32,24 +32,10 @@ std::vector<Item> enumerate(const char* call, Function function, Arguments... ar
 
 Swapchain::Swapchain(gpu::Context& gpuContext, const Window& shownWindow)
     : context(&gpuContext), window(&shownWindow) {
-    const gpu::DeviceScope& scope = context->scope();
     try {
         makeSurface();
         chooseFormat();
         makePass();
-        VkCommandPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
-        poolInfo.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
-        poolInfo.queueFamilyIndex = context->info().queueFamily;
-        commandPool =
-            gpu::create<vkDestroyCommandPool>(vkCreateCommandPool, scope, poolInfo, "vkCreateCommandPool");
-        VkCommandBufferAllocateInfo bufferInfo{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
-        bufferInfo.commandPool = commandPool.get();
-        bufferInfo.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
-        bufferInfo.commandBufferCount = 1;
-        check(vkAllocateCommandBuffers(context->device(), &bufferInfo, &commands),
-              "vkAllocateCommandBuffers");
-        const VkFenceCreateInfo fenceInfo{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO, nullptr, 0};
-        fence = gpu::create<vkDestroyFence>(vkCreateFence, scope, fenceInfo, "vkCreateFence");
         acquired = makeSemaphore();
     } catch (...) {
         dropSurface();  // a constructor that throws runs no destructor
@@ -272,37 +258,17 @@ std::optional<std::uint32_t> Swapchain::acquire() {
     return index;
 }
 
-void Swapchain::submit(const ImageParts& image,
-                       const std::function<void(VkCommandBuffer, const FrameTarget&)>& record) {
-    VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
-    begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-    check(vkBeginCommandBuffer(commands, &begin), "vkBeginCommandBuffer");
-    record(commands, {image.image, image.framebuffer.get(), extent});
-    check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
-    VkCommandBufferSubmitInfo commandsInfo{VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO};
-    commandsInfo.commandBuffer = commands;
-    VkSemaphoreSubmitInfo wait{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
-    wait.semaphore = acquired.get();
-    wait.stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
-    VkSemaphoreSubmitInfo signal = wait;
-    signal.semaphore = image.finished.get();
-    VkSubmitInfo2 submission{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
-    submission.waitSemaphoreInfoCount = 1;
-    submission.pWaitSemaphoreInfos = &wait;
-    submission.commandBufferInfoCount = 1;
-    submission.pCommandBufferInfos = &commandsInfo;
-    submission.signalSemaphoreInfoCount = 1;
-    submission.pSignalSemaphoreInfos = &signal;
-    check(vkQueueSubmit2(context->queue(), 1, &submission, fence.get()), "vkQueueSubmit2");
-}
-
 FrameResult Swapchain::show(const std::function<void(VkCommandBuffer, const FrameTarget&)>& record) {
     const std::optional<std::uint32_t> index = acquire();
     if (!index) {
         return FrameResult::Later;
     }
     const ImageParts& image = images[*index];
-    submit(image, record);
+    context->submit(
+        [&](VkCommandBuffer commands) {
+            record(commands, {image.image, image.framebuffer.get(), extent});
+        },
+        acquired.get(), image.finished.get());
     VkPresentInfoKHR present{VK_STRUCTURE_TYPE_PRESENT_INFO_KHR};
     present.waitSemaphoreCount = 1;
     present.pWaitSemaphores = image.finished.address();
@@ -310,7 +276,6 @@ FrameResult Swapchain::show(const std::function<void(VkCommandBuffer, const Fram
     present.pSwapchains = swapchain.address();
     present.pImageIndices = &*index;
     const VkResult result = vkQueuePresentKHR(context->queue(), &present);
-    context->waitFor(fence);
     if (recover(result)) {
         return result == VK_SUBOPTIMAL_KHR ? FrameResult::Shown : FrameResult::Later;
     }

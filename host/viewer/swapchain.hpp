@@ -66,8 +66,6 @@ private:
     void makeImages();
     void dropImages();
     std::optional<std::uint32_t> acquire();
-    void submit(const ImageParts& image,
-                const std::function<void(VkCommandBuffer, const FrameTarget&)>& record);
     // Takes note of a result that the window's changes cause. False: it was another failure.
     bool recover(VkResult result);
     [[nodiscard]] Semaphore makeSemaphore() const;
@@ -81,9 +79,6 @@ private:
     VkExtent2D extent{};
     std::vector<ImageParts> images;
     Semaphore acquired;
-    gpu::Handle<VkCommandPool, vkDestroyCommandPool> commandPool;
-    gpu::Handle<VkFence, vkDestroyFence> fence;
-    VkCommandBuffer commands = VK_NULL_HANDLE;
     bool stale = true;
     bool readable = false;
     int failures = 0;  // to make images or to show one, in a row
