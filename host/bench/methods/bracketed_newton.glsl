@@ -93,32 +93,13 @@ bool bracketedNewtonRoot(torus_Line line, BracketedNewton state, int index, out 
     return exists && sheet >= 0.0;
 }
 
-// The signs at the minima say which crossing is the first.
-bool bracketedNewtonFirst(torus_Line line, BracketedNewton state, bool inside, float from, out float u) {
-    bool firstAhead = state.first && state.firstMinimum >= line.lower;
-    bool secondAhead = state.second && state.secondMinimum >= line.lower;
-    bool leavesFirst = state.first && !state.joined && (!state.second || line.lower < state.middle);
-    int index = inside ? (leavesFirst ? 1 : 3) : (firstAhead ? 0 : 2);
-    return bracketedNewtonRoot(line, state, index, u) && (inside || firstAhead || secondAhead);
-}
-
-// Without a root: a dip lies between the ends, or a gap.
-bool bracketedNewtonBetween(torus_Line line, BracketedNewton state, bool inside) {
-    bool dip = (state.first && state.firstMinimum >= line.lower && state.firstMinimum <= line.upper) ||
-               (state.second && state.secondMinimum >= line.lower && state.secondMinimum <= line.upper);
-    bool gap = state.first && state.second && !state.joined && line.lower < state.middle &&
-               line.upper > state.middle;
-    return inside ? gap : dip;
-}
-
 #define QUARTIC_INTERSECT bracketedNewtonIntersect
 #define QUARTIC_OCCLUDED bracketedNewtonOccluded
 #define QUARTIC_INTERSECT_ALL bracketedNewtonIntersectAll
 #define QUARTIC_STATE BracketedNewton
 #define QUARTIC_PREPARE bracketedNewtonPrepare
 #define QUARTIC_ROOT bracketedNewtonRoot
-#define QUARTIC_FIRST bracketedNewtonFirst
-#define QUARTIC_BETWEEN bracketedNewtonBetween
+#define QUARTIC_DIPS
 #include "quartic_hits.glsl"
 
 #define RAY_INTERSECT bracketedNewtonIntersect

@@ -163,32 +163,13 @@ bool minimaFirstRoot(torus_Line line, MinimaFirst state, int index, out float u)
     return exists;
 }
 
-// The signs at the minima say which crossing is the first.
-bool minimaFirstFirst(torus_Line line, MinimaFirst state, bool inside, float from, out float u) {
-    bool firstAhead = state.first && state.firstMinimum >= line.lower;
-    bool secondAhead = state.second && state.secondMinimum >= line.lower;
-    bool leavesFirst = state.first && !state.joined && (!state.second || line.lower < state.middle);
-    int index = inside ? (leavesFirst ? 1 : 3) : (firstAhead ? 0 : 2);
-    return minimaFirstRoot(line, state, index, u) && (inside || firstAhead || secondAhead);
-}
-
-// Without a root: a dip lies between the ends, or a gap.
-bool minimaFirstBetween(torus_Line line, MinimaFirst state, bool inside) {
-    bool dip = (state.first && state.firstMinimum >= line.lower && state.firstMinimum <= line.upper) ||
-               (state.second && state.secondMinimum >= line.lower && state.secondMinimum <= line.upper);
-    bool gap = state.first && state.second && !state.joined && line.lower < state.middle &&
-               line.upper > state.middle;
-    return inside ? gap : dip;
-}
-
 #define QUARTIC_INTERSECT minimaFirstIntersect
 #define QUARTIC_OCCLUDED minimaFirstOccluded
 #define QUARTIC_INTERSECT_ALL minimaFirstIntersectAll
 #define QUARTIC_STATE MinimaFirst
 #define QUARTIC_PREPARE minimaFirstPrepare
 #define QUARTIC_ROOT minimaFirstRoot
-#define QUARTIC_FIRST minimaFirstFirst
-#define QUARTIC_BETWEEN minimaFirstBetween
+#define QUARTIC_DIPS
 #include "quartic_hits.glsl"
 
 #define RAY_INTERSECT minimaFirstIntersect

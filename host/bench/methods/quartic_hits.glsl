@@ -14,6 +14,10 @@
 //                         whether the ray crosses between two ends that are both inside, or both outside; may be left
 //                         out
 
+//     QUARTIC_DIPS        defined before: the state says what the minima say, of which both follow: first and second
+//                         (the quartic dips below zero at them), firstMinimum and secondMinimum (where), joined (it
+//                         stays below between them) and middle (else where it is largest there)
+
 #include "reduced_quartic.glsl"
 
 // Within this distance from an end of the ray, in r, the end's own side says better than a rough root what crosses.
@@ -24,6 +28,28 @@ float quarticFrom(torus_Line line) {
     TORUS_PRECISE float from = line.lower - QUARTIC_ROOM * line.minorRadius;
     return line.lower > -line.halfChord ? from : -TORUS_FLOAT_MAX;
 }
+
+#ifdef QUARTIC_DIPS
+// The signs at the minima say which crossing is the first.
+#define QUARTIC_FIRST quarticFirst
+bool quarticFirst(torus_Line line, QUARTIC_STATE state, bool inside, float from, out float u) {
+    bool firstAhead = state.first && state.firstMinimum >= line.lower;
+    bool secondAhead = state.second && state.secondMinimum >= line.lower;
+    bool leavesFirst = state.first && !state.joined && (!state.second || line.lower < state.middle);
+    int index = inside ? (leavesFirst ? 1 : 3) : (firstAhead ? 0 : 2);
+    return QUARTIC_ROOT(line, state, index, u) && (inside || firstAhead || secondAhead);
+}
+
+// Without a root: a dip lies between the ends, or a gap.
+#define QUARTIC_BETWEEN quarticBetween
+bool quarticBetween(torus_Line line, QUARTIC_STATE state, bool inside) {
+    bool dip = (state.first && state.firstMinimum >= line.lower && state.firstMinimum <= line.upper) ||
+               (state.second && state.secondMinimum >= line.lower && state.secondMinimum <= line.upper);
+    bool gap = state.first && state.second && !state.joined && line.lower < state.middle &&
+               line.upper > state.middle;
+    return inside ? gap : dip;
+}
+#endif
 
 #ifndef QUARTIC_FIRST
 #define QUARTIC_FIRST quarticFirst
