@@ -18,6 +18,25 @@ std::pair<int, int> sizeOption(const std::string& text) {
     return *size;
 }
 
+render::Route routeOption(const std::string& text) {
+    if (text != "fragment" && text != "compute") {
+        throw Error(ExitCode::Usage, fmt::format("--route takes fragment or compute, not \"{}\"", text));
+    }
+    return text == "compute" ? render::Route::Compute : render::Route::Fragment;
+}
+
+int samplesOption(const std::string& text, int mostPerSide) {
+    const auto side = parseSquare(text);
+    if (!side || *side > mostPerSide) {
+        throw Error(
+            ExitCode::Usage,
+            fmt::format("--spp takes a square number of samples, 1, 4, 9, ... {}, for a regular grid, not "
+                        "\"{}\"",
+                        mostPerSide * mostPerSide, text));
+    }
+    return *side;
+}
+
 reference::TorusAndRay replayOption(const std::string& text) {
     const auto replay = reference::parseHexFloats(text);
     if (!replay) {

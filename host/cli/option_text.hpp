@@ -6,11 +6,18 @@
 #include <utility>
 
 #include "reference/rays.hpp"
+#include "render/picture_drawing.hpp"
 
 namespace raytorus::cli {
 
 /// --size: "960x640".
 std::pair<int, int> sizeOption(const std::string& text);
+
+/// --route: fragment or compute.
+render::Route routeOption(const std::string& text);
+
+/// --spp: a square number of samples, up to mostPerSide squared. Returns its root.
+int samplesOption(const std::string& text, int mostPerSide);
 
 /// --replay: ten numbers, as raytorus-verify prints them.
 reference::TorusAndRay replayOption(const std::string& text);

@@ -93,20 +93,8 @@ void readOptions(RenderCommand& command) {
     if (!command.size.empty()) {
         std::tie(command.options.width, command.options.height) = sizeOption(command.size);
     }
-    const auto side = parseSquare(command.samples);
-    if (!side) {
-        throw Error(
-            ExitCode::Usage,
-            fmt::format("--spp takes a square number of samples, 1, 4, 9, ... 4096, for a regular grid, not "
-                        "\"{}\"",
-                        command.samples));
-    }
-    command.options.samplesPerSide = *side;
-    if (command.route != "fragment" && command.route != "compute") {
-        throw Error(ExitCode::Usage,
-                    fmt::format("--route takes fragment or compute, not \"{}\"", command.route));
-    }
-    command.options.route = command.route == "compute" ? render::Route::Compute : render::Route::Fragment;
+    command.options.samplesPerSide = samplesOption(command.samples, 64);
+    command.options.route = routeOption(command.route);
     if (!command.stats.empty() && command.stats != "text" && command.stats != "json") {
         throw Error(ExitCode::Usage, fmt::format("--stats takes text or json, not \"{}\"", command.stats));
     }

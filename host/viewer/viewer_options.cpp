@@ -99,18 +99,8 @@ void readTexts(const Texts& texts, ViewerOptions& options) {
                     fmt::format("there is no view \"{}\" (raytorus-view --list-views)", texts.view));
     }
     options.view = view->view;
-    if (texts.route != "fragment" && texts.route != "compute") {
-        throw Error(ExitCode::Usage,
-                    fmt::format("--route takes fragment or compute, not \"{}\"", texts.route));
-    }
-    options.route = texts.route == "compute" ? render::Route::Compute : render::Route::Fragment;
-    const auto side = cli::parseSquare(texts.samples);
-    if (!side || *side > 16) {
-        throw Error(ExitCode::Usage,
-                    fmt::format("--spp takes a square number of samples, 1, 4, 9, ... 256, not \"{}\"",
-                                texts.samples));
-    }
-    options.samplesPerSide = *side;
+    options.route = cli::routeOption(texts.route);
+    options.samplesPerSide = cli::samplesOption(texts.samples, 16);
     if (!texts.wipe.empty()) {
         readWipe(texts.wipe, options);
     }
