@@ -189,7 +189,7 @@ TEST_F(Navigation, DollyEndsBeforeTheTargetAndBeforeInfinity) {
 TEST_F(Navigation, BoundsHoldEveryTorus) {
     for (int i = 0; i < 300; ++i) {
         const std::vector<render::TorusInstance> all = tori();
-        const Bounds bounds = boundsOf(all);
+        const render::Sphere bounds = render::enclosingSphere(all);
         double touched = 0.0;
         for (const render::TorusInstance& torus : all) {
             const double reach = glm::length(torus.translation - bounds.center) +

@@ -11,31 +11,38 @@
 
 namespace raytorus::render {
 
-Camera framingCamera(const std::vector<TorusInstance>& tori, double aspectRatio) {
-    Camera camera;
-    if (tori.empty()) {
-        return camera;
-    }
+Sphere enclosingSphere(std::span<const TorusInstance> tori) {
     Box all = boundsOf(tori.front());
     for (const TorusInstance& torus : tori) {
         const Box box = boundsOf(torus);
         all.minimum = glm::min(all.minimum, box.minimum);
         all.maximum = glm::max(all.maximum, box.maximum);
     }
-    const glm::dvec3 centre = 0.5 * (all.minimum + all.maximum);
-    double radius = 0.0;
+    Sphere sphere{0.5 * (all.minimum + all.maximum), 0.0};
     for (const TorusInstance& torus : tori) {
         const double reach = torus.scale * (torus.majorRadius + torus.minorRadius);
-        radius = std::max(radius, glm::distance(centre, torus.translation) + reach);
+        sphere.radius = std::max(sphere.radius, glm::distance(sphere.center, torus.translation) + reach);
     }
-    // The sphere touches the edges of the narrower side; the air round it is what a sphere has to spare round
-    // tori.
+    return sphere;
+}
+
+double framingDistance(const Camera& camera, double radius, double aspectRatio) {
     const double tangent =
         std::tan(0.5 * glm::radians(camera.verticalFieldOfView)) * std::min(1.0, aspectRatio);
-    const double distance = radius / std::sin(std::atan(tangent));
+    return radius / std::sin(std::atan(tangent));
+}
+
+Camera framingCamera(const std::vector<TorusInstance>& tori, double aspectRatio) {
+    Camera camera;
+    if (tori.empty()) {
+        return camera;
+    }
+    const Sphere all = enclosingSphere(tori);
+    // The air round the sphere is what it has to spare round tori.
+    const double distance = framingDistance(camera, all.radius, aspectRatio);
     const glm::dvec3 towardsCamera = glm::normalize(glm::dvec3(0.4, -0.8, 0.55));
-    camera.target = centre;
-    camera.position = centre + distance * towardsCamera;
+    camera.target = all.center;
+    camera.position = all.center + distance * towardsCamera;
     return camera;
 }
 

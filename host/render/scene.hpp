@@ -7,6 +7,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -108,6 +109,18 @@ struct Scene {
 
     bool operator==(const Scene&) const = default;
 };
+
+struct Sphere {
+    glm::dvec3 center{0.0};
+    double radius = 0.0;
+};
+
+/// A sphere round all tori, of which there is one at least.
+Sphere enclosingSphere(std::span<const TorusInstance> tori);
+
+/// How far from its middle a camera has to be for the sphere to touch the edges of the narrower side of its
+/// picture. aspectRatio: width / height.
+double framingDistance(const Camera& camera, double radius, double aspectRatio);
 
 /// A three-quarter view that frames the sphere round all tori.
 /// aspectRatio: width / height of the picture. No tori: Camera's own defaults.

@@ -65,36 +65,13 @@ render::Camera dolly(const render::Camera& camera, double factor) {
     return moved;
 }
 
-Bounds boundsOf(std::span<const render::TorusInstance> tori) {
-    if (tori.empty()) {
-        return {};
-    }
-    const auto radiusOf = [](const render::TorusInstance& torus) {
-        return torus.scale * (torus.majorRadius + torus.minorRadius);
-    };
-    glm::dvec3 low = tori.front().translation;
-    glm::dvec3 high = low;
-    for (const render::TorusInstance& torus : tori) {
-        low = glm::min(low, torus.translation - radiusOf(torus));
-        high = glm::max(high, torus.translation + radiusOf(torus));
-    }
-    Bounds bounds{0.5 * (low + high), 0.0};
-    for (const render::TorusInstance& torus : tori) {
-        bounds.radius =
-            std::max(bounds.radius, glm::length(torus.translation - bounds.center) + radiusOf(torus));
-    }
-    return bounds;
-}
-
 render::Camera fit(const render::Camera& camera, std::span<const render::TorusInstance> tori,
                    double aspectRatio) {
-    const Bounds bounds = boundsOf(tori);
-    const double half = 0.5 * glm::radians(camera.verticalFieldOfView);
-    const double narrow = std::atan(std::tan(half) * std::min(1.0, aspectRatio));
+    const render::Sphere all = render::enclosingSphere(tori);
     const glm::dvec3 back = glm::normalize(camera.position - camera.target);
     render::Camera moved = camera;
-    moved.target = bounds.center;
-    moved.position = bounds.center + back * (bounds.radius / std::sin(narrow));
+    moved.target = all.center;
+    moved.position = all.center + back * render::framingDistance(camera, all.radius, aspectRatio);
     return moved;
 }
 

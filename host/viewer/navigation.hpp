@@ -30,11 +30,4 @@ enum class Preset { Front, Back, Left, Right, Top, Bottom, Corner };
 render::Camera preset(Preset preset, const render::Camera& camera,
                       std::span<const render::TorusInstance> tori, double aspectRatio);
 
-/// A sphere round all tori.
-struct Bounds {
-    glm::dvec3 center{0.0};
-    double radius = 1.0;
-};
-Bounds boundsOf(std::span<const render::TorusInstance> tori);
-
 }  // namespace raytorus::viewer

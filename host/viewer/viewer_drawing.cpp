@@ -98,7 +98,7 @@ view_io::ViewPush ViewerLoop::viewPush() const {
         push.wipe = static_cast<std::uint32_t>(std::lround(state.wipeAt * extent.width));
     }
     push.linear = swapchain.encodesSrgb() ? 1 : 0;
-    const Bounds bounds = boundsOf(pictures.scene().tori);
+    const render::Sphere bounds = render::enclosingSphere(pictures.scene().tori);
     const double distance = glm::length(pictures.scene().camera.position - bounds.center);
     push.nearest = static_cast<float>(std::max(0.0, distance - bounds.radius));
     push.farthest = static_cast<float>(distance + bounds.radius);
