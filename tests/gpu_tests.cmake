@@ -23,6 +23,7 @@ raytorus_add_tests(gpu_tests
         special_lines.cpp
         special_lines_test.cpp
         stress_rays_test.cpp
+        submission_test.cpp
         surface_checks.cpp
         surface_probe.cpp
         surface_test.cpp

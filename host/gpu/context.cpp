@@ -59,21 +59,9 @@ Context::Context(const ContextOptions& options, std::shared_ptr<ValidationLog> m
         createInstance(options);
         deviceInfo = pickDevice(listDevices(vkInstance, options.deviceExtensions), options.device);
         createDevice(options);
-        if (options.compileOnly) {
-            return;
+        if (!options.compileOnly) {
+            submission.emplace(*this);
         }
-        VkCommandPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
-        poolInfo.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
-        poolInfo.queueFamilyIndex = deviceInfo.queueFamily;
-        commandPool =
-            create<vkDestroyCommandPool>(vkCreateCommandPool, deviceScope, poolInfo, "vkCreateCommandPool");
-        const VkFenceCreateInfo fenceInfo{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO, nullptr, 0};
-        fence = create<vkDestroyFence>(vkCreateFence, deviceScope, fenceInfo, "vkCreateFence");
-        VkCommandBufferAllocateInfo bufferInfo{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
-        bufferInfo.commandPool = commandPool.get();
-        bufferInfo.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
-        bufferInfo.commandBufferCount = 1;
-        check(vkAllocateCommandBuffers(device(), &bufferInfo, &commandBuffer), "vkAllocateCommandBuffers");
     } catch (...) {
         destroy();  // a constructor that throws runs no destructor
         throw;
@@ -155,8 +143,7 @@ void Context::createDevice(const ContextOptions& options) {
 }
 
 void Context::destroy() noexcept {
-    fence = {};
-    commandPool = {};
+    submission.reset();
     if (deviceScope.abandoned) {
         return;
     }
@@ -175,35 +162,19 @@ void Context::destroy() noexcept {
 
 void Context::submit(const std::function<void(VkCommandBuffer)>& record, VkSemaphore wait,
                      VkSemaphore signal) {
-    VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
-    begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-    check(vkBeginCommandBuffer(commandBuffer, &begin), "vkBeginCommandBuffer");
-    record(commandBuffer);
-    check(vkEndCommandBuffer(commandBuffer), "vkEndCommandBuffer");
-    VkCommandBufferSubmitInfo commands{VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO};
-    commands.commandBuffer = commandBuffer;
-    VkSemaphoreSubmitInfo begins{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
-    begins.semaphore = wait;
-    begins.stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
-    VkSemaphoreSubmitInfo ends = begins;
-    ends.semaphore = signal;
-    VkSubmitInfo2 submission{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
-    submission.waitSemaphoreInfoCount = wait != VK_NULL_HANDLE ? 1 : 0;
-    submission.pWaitSemaphoreInfos = &begins;
-    submission.signalSemaphoreInfoCount = signal != VK_NULL_HANDLE ? 1 : 0;
-    submission.pSignalSemaphoreInfos = &ends;
-    submission.commandBufferInfoCount = 1;
-    submission.pCommandBufferInfos = &commands;
-    check(vkQueueSubmit2(vkQueue, 1, &submission, fence.get()), "vkQueueSubmit2");
+    submission->start(record, wait, signal);
+    submission->finish();
+}
+
+void Context::wait(VkFence fence) {
     const auto nanoseconds = static_cast<std::uint64_t>(std::ceil(timeoutSeconds * 1e9));
-    const VkResult waited = vkWaitForFences(device(), 1, fence.address(), VK_TRUE, nanoseconds);
+    const VkResult waited = vkWaitForFences(device(), 1, &fence, VK_TRUE, nanoseconds);
     if (waited == VK_TIMEOUT) {
         deviceScope.abandoned = true;
         throw Error(ExitCode::DeviceLost, fmt::format("{} did not finish a piece of work within {} s",
                                                       deviceInfo.name, timeoutSeconds));
     }
     check(waited, "vkWaitForFences");
-    check(vkResetFences(device(), 1, fence.address()), "vkResetFences");
 }
 
 Handle<VkDeviceMemory, vkFreeMemory> Context::allocate(const VkMemoryRequirements& requirements,

@@ -6,11 +6,13 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "gpu/device.hpp"
 #include "gpu/handle.hpp"
+#include "gpu/submission.hpp"
 #include "gpu/validation.hpp"
 
 namespace raytorus::gpu {
@@ -45,10 +47,13 @@ public:
     [[nodiscard]] bool hasFloat64() const { return float64; }
     [[nodiscard]] bool hasPipelineStatistics() const { return pipelineStatistics; }
 
-    /// Records commands, runs them and waits until they are done. They begin after `wait` is signalled, and
-    /// signal `signal`; each may be left out.
+    /// Runs commands and waits until they are done; else as Submission::start.
     void submit(const std::function<void(VkCommandBuffer)>& record, VkSemaphore wait = VK_NULL_HANDLE,
                 VkSemaphore signal = VK_NULL_HANDLE);
+
+    /// Waits for a fence of a submission. Throws Error{DeviceLost} if that takes longer than
+    /// ContextOptions::timeoutSeconds.
+    void wait(VkFence fence);
 
     /// Memory for an object, of a type with the wanted properties (or, if there is none, the required ones).
     [[nodiscard]] Handle<VkDeviceMemory, vkFreeMemory> allocate(const VkMemoryRequirements& requirements,
@@ -69,9 +74,7 @@ private:
     VkQueue vkQueue = VK_NULL_HANDLE;
     bool float64 = false;
     bool pipelineStatistics = false;
-    Handle<VkCommandPool, vkDestroyCommandPool> commandPool;
-    Handle<VkFence, vkDestroyFence> fence;
-    VkCommandBuffer commandBuffer = VK_NULL_HANDLE;
+    std::optional<Submission> submission;
 };
 
 /// Every device the loader offers, with the reasons against it; needs no suitable device. For `raytorus

@@ -43,7 +43,7 @@ Pipeline::Pipeline(const Context& context, const PipelineLayoutInfo& info, VkPip
     std::vector<VkDescriptorPoolSize> sizes;
     for (const Binding& binding : bindings) {
         layoutBindings.push_back({binding.index, binding.type, 1, stages, nullptr});
-        sizes.push_back({binding.type, 1});
+        sizes.push_back({binding.type, info.copies});
     }
     VkDescriptorSetLayoutCreateInfo setInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
     setInfo.bindingCount = static_cast<std::uint32_t>(layoutBindings.size());
@@ -51,16 +51,18 @@ Pipeline::Pipeline(const Context& context, const PipelineLayoutInfo& info, VkPip
     setLayout = create<vkDestroyDescriptorSetLayout>(vkCreateDescriptorSetLayout, context.scope(), setInfo,
                                                      "vkCreateDescriptorSetLayout");
     VkDescriptorPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
-    poolInfo.maxSets = 1;
+    poolInfo.maxSets = info.copies;
     poolInfo.poolSizeCount = static_cast<std::uint32_t>(sizes.size());
     poolInfo.pPoolSizes = sizes.data();
     pool = create<vkDestroyDescriptorPool>(vkCreateDescriptorPool, context.scope(), poolInfo,
                                            "vkCreateDescriptorPool");
     VkDescriptorSetAllocateInfo allocation{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
     allocation.descriptorPool = pool.get();
-    allocation.descriptorSetCount = 1;
-    allocation.pSetLayouts = setLayout.address();
-    check(vkAllocateDescriptorSets(device, &allocation, &set), "vkAllocateDescriptorSets");
+    const std::vector<VkDescriptorSetLayout> layouts(info.copies, setLayout.get());
+    allocation.descriptorSetCount = info.copies;
+    allocation.pSetLayouts = layouts.data();
+    sets.resize(info.copies);
+    check(vkAllocateDescriptorSets(device, &allocation, sets.data()), "vkAllocateDescriptorSets");
 
     const VkPushConstantRange range{stages, 0, info.pushConstantBytes};
     VkPipelineLayoutCreateInfo layoutInfo{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
@@ -72,7 +74,7 @@ Pipeline::Pipeline(const Context& context, const PipelineLayoutInfo& info, VkPip
                                              "vkCreatePipelineLayout");
 }
 
-void Pipeline::write(std::uint32_t index, const VkDescriptorBufferInfo* buffer,
+void Pipeline::write(std::uint32_t index, std::size_t copy, const VkDescriptorBufferInfo* buffer,
                      const VkDescriptorImageInfo* image) {
     const auto found = std::find_if(bindings.begin(), bindings.end(),
                                     [index](const Binding& binding) { return binding.index == index; });
@@ -80,7 +82,7 @@ void Pipeline::write(std::uint32_t index, const VkDescriptorBufferInfo* buffer,
         return;  // this pipeline's shader has no use for it
     }
     VkWriteDescriptorSet info{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
-    info.dstSet = set;
+    info.dstSet = sets.at(copy);
     info.dstBinding = index;
     info.descriptorCount = 1;
     info.descriptorType = found->type;
@@ -89,19 +91,20 @@ void Pipeline::write(std::uint32_t index, const VkDescriptorBufferInfo* buffer,
     vkUpdateDescriptorSets(device, 1, &info, 0, nullptr);
 }
 
-void Pipeline::bind(std::uint32_t index, const Buffer& buffer) {
+void Pipeline::bind(std::uint32_t index, const Buffer& buffer, std::size_t copy) {
     const VkDescriptorBufferInfo info{buffer.get(), 0, VK_WHOLE_SIZE};
-    write(index, &info, nullptr);
+    write(index, copy, &info, nullptr);
 }
 
-void Pipeline::bind(std::uint32_t index, const Image& image) {
+void Pipeline::bind(std::uint32_t index, const Image& image, std::size_t copy) {
     const VkDescriptorImageInfo info{VK_NULL_HANDLE, image.view(), VK_IMAGE_LAYOUT_GENERAL};
-    write(index, nullptr, &info);
+    write(index, copy, nullptr, &info);
 }
 
-void Pipeline::use(VkCommandBuffer commands, std::span<const std::byte> pushConstants) const {
+void Pipeline::use(VkCommandBuffer commands, std::span<const std::byte> pushConstants,
+                   std::size_t copy) const {
     vkCmdBindPipeline(commands, bindPoint, pipeline.get());
-    vkCmdBindDescriptorSets(commands, bindPoint, layout.get(), 0, 1, &set, 0, nullptr);
+    vkCmdBindDescriptorSets(commands, bindPoint, layout.get(), 0, 1, &sets.at(copy), 0, nullptr);
     if (!pushConstants.empty()) {
         vkCmdPushConstants(commands, layout.get(), stages, 0,
                            static_cast<std::uint32_t>(pushConstants.size()), pushConstants.data());

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Compute pipelines, and graphics pipelines that draw one triangle over the whole picture. Both come with
-// their descriptor set, because each of our pipelines has exactly one.
+// their descriptor sets, because each of our pipelines has one, or a few alike for submissions that overlap.
 #pragma once
 
 #include <vulkan/vulkan.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -28,18 +29,20 @@ struct PipelineLayoutInfo {
     /// Values of the specialization constants 0, 1, 2, ...; booleans are 0 and 1.
     std::vector<std::uint32_t> specialization;
     VkPipelineCreateFlags flags = 0;  ///< of compute pipelines
+    std::uint32_t copies = 1;         ///< of set 0: each may be bound to others, and is used by itself
 };
 
 class Pipeline {
 public:
     Pipeline() = default;
 
-    /// Set 0, once for the pipeline's life or between submissions.
-    void bind(std::uint32_t index, const Buffer& buffer);
-    void bind(std::uint32_t index, const Image& image);
+    /// A copy of set 0, once for the pipeline's life or between submissions that use that copy.
+    void bind(std::uint32_t index, const Buffer& buffer, std::size_t copy = 0);
+    void bind(std::uint32_t index, const Image& image, std::size_t copy = 0);
 
-    /// Binds pipeline and descriptor set, and sets the push constants if there are any.
-    void use(VkCommandBuffer commands, std::span<const std::byte> pushConstants = {}) const;
+    /// Binds pipeline and a copy of set 0, and sets the push constants if there are any.
+    void use(VkCommandBuffer commands, std::span<const std::byte> pushConstants = {},
+             std::size_t copy = 0) const;
 
     [[nodiscard]] VkPipeline get() const { return pipeline.get(); }
 
@@ -49,7 +52,8 @@ private:
                                        std::uint32_t, const PipelineLayoutInfo&);
     Pipeline(const Context& context, const PipelineLayoutInfo& info, VkPipelineBindPoint point);
 
-    void write(std::uint32_t index, const VkDescriptorBufferInfo* buffer, const VkDescriptorImageInfo* image);
+    void write(std::uint32_t index, std::size_t copy, const VkDescriptorBufferInfo* buffer,
+               const VkDescriptorImageInfo* image);
 
     VkDevice device = VK_NULL_HANDLE;
     VkPipelineBindPoint bindPoint = VK_PIPELINE_BIND_POINT_COMPUTE;
@@ -57,7 +61,7 @@ private:
     std::vector<Binding> bindings;
     Handle<VkDescriptorSetLayout, vkDestroyDescriptorSetLayout> setLayout;
     Handle<VkDescriptorPool, vkDestroyDescriptorPool> pool;
-    VkDescriptorSet set = VK_NULL_HANDLE;
+    std::vector<VkDescriptorSet> sets;
     Handle<VkPipelineLayout, vkDestroyPipelineLayout> layout;
     Handle<VkPipeline, vkDestroyPipeline> pipeline;
 };
