@@ -9,6 +9,7 @@ raytorus_add_tests(cli_tests
         number_text_test.cpp
         frame_options_test.cpp
         picture_writer_test.cpp
+        ray_batches_test.cpp
         ray_file_test.cpp
         progress_test.cpp
         run_program.cpp

@@ -32,6 +32,12 @@ protected:
     std::filesystem::path folder = scratchFolder();
 };
 
+std::vector<TraceRay> readSome(RayReader& reader, std::size_t most) {
+    std::vector<TraceRay> rays(most);
+    rays.resize(reader.read(rays));
+    return rays;
+}
+
 std::string rawRays(int count) {
     std::vector<float> values(static_cast<std::size_t>(count) * 8);
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -53,18 +59,18 @@ TEST_F(RayFile, FormatIsThatOfTheExtension) {
 TEST_F(RayFile, RawRaysComeInPieces) {
     RayReader reader(file("rays.bin", rawRays(5)), RayFormat::Raw);
     EXPECT_EQ(reader.done(), 0.0);
-    EXPECT_EQ(reader.read(2).size(), 2U);
+    EXPECT_EQ(readSome(reader, 2).size(), 2U);
     EXPECT_EQ(reader.done(), 0.4);
-    const std::vector<TraceRay> rays = reader.read(2);
+    const std::vector<TraceRay> rays = readSome(reader, 2);
     ASSERT_EQ(rays.size(), 2U);
     EXPECT_EQ(rays[0].origin[0], 16.0F);
     EXPECT_EQ(rays[0].origin[2], 18.0F);
     EXPECT_EQ(rays[0].tMin, 19.0F);
     EXPECT_EQ(rays[1].direction[1], 29.0F);
     EXPECT_EQ(rays[1].tMax, 31.0F);
-    EXPECT_EQ(reader.read(2).size(), 1U);
+    EXPECT_EQ(readSome(reader, 2).size(), 1U);
     EXPECT_EQ(reader.done(), 1.0);
-    EXPECT_TRUE(reader.read(2).empty());
+    EXPECT_TRUE(readSome(reader, 2).empty());
 }
 
 TEST_F(RayFile, CsvRaysComeInPieces) {
@@ -72,21 +78,22 @@ TEST_F(RayFile, CsvRaysComeInPieces) {
         file("rays.csv",
              "a,b,c,d,e,f,g,h\n1,2,3,4,5,6,7,8\n# no ray\n-1,-2,-3,-4,-5,-6,-7,inf\n9,9,9,9,9,9,9,9"),
         RayFormat::Csv);
-    EXPECT_EQ(reader.read(1).size(), 1U);
-    const std::vector<TraceRay> rays = reader.read(1);
+    EXPECT_EQ(readSome(reader, 1).size(), 1U);
+    const std::vector<TraceRay> rays = readSome(reader, 1);
     ASSERT_EQ(rays.size(), 1U);
     EXPECT_EQ(rays[0].origin[1], -2.0F);
     EXPECT_EQ(rays[0].tMin, -4.0F);
     EXPECT_EQ(rays[0].direction[2], -7.0F);
     EXPECT_EQ(rays[0].tMax, std::numeric_limits<float>::infinity());
-    EXPECT_EQ(reader.read(8).size(), 1U);
-    EXPECT_TRUE(reader.read(8).empty());
+    EXPECT_EQ(readSome(reader, 8).size(), 1U);
+    EXPECT_TRUE(readSome(reader, 8).empty());
 }
 
 // A second line without a number is no header, and one with a number is none anywhere.
 TEST_F(RayFile, HeaderIsTheFirstLineAlone) {
     const auto readAll = [this](const std::string& text) {
-        RayReader(file("rays.csv", text), RayFormat::Csv).read(100);
+        RayReader reader(file("rays.csv", text), RayFormat::Csv);
+        readSome(reader, 100);
     };
     readAll("\n# comment\na,b,c,d,e,f,g,h\n1,2,3,4,5,6,7,8\n");
     expectError([&] { readAll("a,b,c,d,e,f,g,h\na,b,c,d,e,f,g,h\n"); }, ExitCode::File, {"line 2", "\"a\""});
@@ -97,9 +104,9 @@ TEST_F(RayFile, HeaderIsTheFirstLineAlone) {
 
 TEST_F(RayFile, LinesAreCountedAcrossPieces) {
     RayReader reader(file("rays.csv", "1,2,3,4,5,6,7,8\n\n1,2,3,4,5,6,7,8\n1,2,3,4\n"), RayFormat::Csv);
-    EXPECT_EQ(reader.read(1).size(), 1U);
-    EXPECT_EQ(reader.read(1).size(), 1U);
-    expectError([&] { static_cast<void>(reader.read(1)); }, ExitCode::File,
+    EXPECT_EQ(readSome(reader, 1).size(), 1U);
+    EXPECT_EQ(readSome(reader, 1).size(), 1U);
+    expectError([&] { static_cast<void>(readSome(reader, 1)); }, ExitCode::File,
                 {"rays.csv", "line 4", "4 values"});
 }
 
@@ -118,7 +125,7 @@ TEST_F(RayFile, RawFileThatShrinksMeanwhile) {
     const auto path = file("rays.bin", rawRays(4));
     RayReader reader(path, RayFormat::Raw);
     std::filesystem::resize_file(path, 40);
-    expectError([&] { static_cast<void>(reader.read(4)); }, ExitCode::File, {"rays.bin", "ended"});
+    expectError([&] { static_cast<void>(readSome(reader, 4)); }, ExitCode::File, {"rays.bin", "ended"});
 }
 
 TEST_F(RayFile, CsvHitsAreTheShortestDecimals) {
@@ -132,6 +139,24 @@ TEST_F(RayFile, CsvHitsAreTheShortestDecimals) {
     EXPECT_EQ(fileText(folder / "hits.csv"),
               "hit,t,x,y,z,normalX,normalY,normalZ\n1,0.1,16777216,-0,1e-30,0,0,1\n0,inf,0,0,0,0,0,0\n"
               "0.5,0.5,0.5,0.5,0.5,0.5,0.5,0.5\n");
+}
+
+// More rows than are put into words at a time, with the longest words there are.
+TEST_F(RayFile, ManyCsvHitsAreAllThere) {
+    const std::vector<float> values = {
+        -1.17549435e-38F, -3.4028235e+38F, -0.00012345679F, -123456790000.0F, -1.1754942e-38F, 0, 1, -1};
+    const std::string row =
+        "-1.1754944e-38,-3.4028235e+38,-0.00012345679,-123456790000,-1.1754942e-38,0,1,-1\n";
+    std::string expected = "hit,t,x,y,z,normalX,normalY,normalZ\n";
+    std::vector<float> hits;
+    for (int i = 0; i < 1500; ++i) {
+        hits.insert(hits.end(), values.begin(), values.end());
+        expected += row;
+    }
+    HitWriter writer(folder / "hits.csv", RayFormat::Csv, Query::Nearest);
+    writer.write(hits);
+    writer.commit();
+    EXPECT_TRUE(fileText(folder / "hits.csv") == expected);
 }
 
 TEST_F(RayFile, RawHitsAreTheBytes) {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "cli/ray_file.hpp"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
-#include <cstring>
-#include <iterator>
+#include <utility>
 
 #include "cli/number_text.hpp"
 #include "core/error.hpp"
@@ -25,29 +26,49 @@ std::string_view trimmed(std::string_view text) {
                                            : text.substr(first, text.find_last_not_of(space) - first + 1);
 }
 
-std::vector<std::string_view> fieldsOf(std::string_view line) {
-    std::vector<std::string_view> fields;
-    while (true) {
-        const std::size_t comma = line.find(',');
-        fields.push_back(trimmed(line.substr(0, comma)));
-        if (comma == std::string_view::npos) {
-            return fields;
+// The fields of a line. Of those past the last that a ray has there is only the number.
+struct Fields {
+    explicit Fields(std::string_view line) {
+        while (true) {
+            const std::size_t comma = line.find(',');
+            if (count < texts.size()) {
+                texts[count] = trimmed(line.substr(0, comma));
+            }
+            ++count;
+            if (comma == std::string_view::npos) {
+                return;
+            }
+            line.remove_prefix(comma + 1);
         }
-        line.remove_prefix(comma + 1);
     }
-}
+    std::array<std::string_view, rayFields> texts;
+    std::size_t count = 0;
+};
 
 // A header names all the columns: none of its fields is a number.
-bool isHeader(const std::vector<std::string_view>& fields) {
-    if (fields.size() != rayFields) {
+bool isHeader(const Fields& fields) {
+    if (fields.count != rayFields) {
         return false;  // a line with other separators would otherwise pass for one, and its ray be lost
     }
-    for (const std::string_view field : fields) {
+    for (const std::string_view field : fields.texts) {
         if (field.empty() || parseFloat(field)) {
             return false;
         }
     }
     return true;
+}
+
+// The sign, the nine digits of a float32, and what fmt puts between or behind them: a point and four zeros
+// after it, seven zeros before it, or an exponent. With the comma, and rounded up.
+constexpr std::size_t longestValue = 32;
+
+char* writeValue(char* to, float value) {
+    const auto bits = std::bit_cast<std::uint32_t>(value);
+    if (bits == 0 || bits == std::bit_cast<std::uint32_t>(1.0F)) {  // most values of most files
+        *to = bits == 0 ? '0' : '1';
+        return to + 1;
+    }
+    return fmt::format_to(to, FMT_COMPILE("{}"), value);
 }
 
 const char* csvHeader(render::Query query) {
@@ -83,66 +104,67 @@ RayReader::RayReader(const std::filesystem::path& rayPath, RayFormat rayFormat)
     }
 }
 
-std::vector<render::TraceRay> RayReader::read(std::size_t most) {
-    std::vector<render::TraceRay> rays;
-    rays.reserve(most);
-    if (format == RayFormat::Raw) {
-        readRaw(rays, most);
-    } else {
-        readCsv(rays, most);
-    }
-    return rays;
+std::size_t RayReader::read(std::span<render::TraceRay> room) {
+    return format == RayFormat::Raw ? readRaw(room) : readCsv(room);
 }
 
 double RayReader::done() const {
     return size > 0 ? static_cast<double>(position) / static_cast<double>(size) : 1.0;
 }
 
-void RayReader::readRaw(std::vector<render::TraceRay>& rays, std::size_t most) {
-    rays.resize(std::min<std::uint64_t>(most, (size - position) / sizeof(render::TraceRay)));
-    const std::size_t bytes = rays.size() * sizeof(render::TraceRay);
-    if (!file.read(reinterpret_cast<char*>(rays.data()), static_cast<std::streamsize>(bytes))) {
+std::size_t RayReader::readRaw(std::span<render::TraceRay> room) {
+    const std::size_t count =
+        std::min<std::uint64_t>(room.size(), (size - position) / sizeof(render::TraceRay));
+    const std::span<std::byte> bytes = std::as_writable_bytes(room.first(count));
+    if (!file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()))) {
         throw Error(ExitCode::File, fmt::format("\"{}\" ended while it was being read", path.string()));
     }
-    position += bytes;
+    position += bytes.size();
+    return count;
 }
 
-void RayReader::readCsv(std::vector<render::TraceRay>& rays, std::size_t most) {
-    std::string text;
-    while (rays.size() < most && std::getline(file, text)) {
+std::size_t RayReader::readCsv(std::span<render::TraceRay> room) {
+    std::size_t count = 0;
+    while (count < room.size() && std::getline(file, text)) {
         ++line;
         position += text.size() + 1;
-        std::string_view content = trimmed(text);
-        constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";  // spreadsheets write one
-        if (line == 1 && content.starts_with(byteOrderMark)) {
-            content.remove_prefix(byteOrderMark.size());
-        }
-        if (content.empty() || content.front() == '#') {
-            continue;
-        }
-        const std::vector<std::string_view> fields = fieldsOf(content);
-        if (std::exchange(headerAllowed, false) && isHeader(fields)) {
-            continue;
-        }
-        if (fields.size() != rayFields) {
-            throw Error(
-                ExitCode::File,
-                fmt::format(
-                    "\"{}\", line {}: {} values instead of 8 (origin x, y, z, tMin, direction x, y, z, "
-                    "tMax)",
-                    path.string(), line, fields.size()));
-        }
-        std::array<float, rayFields> values{};
-        for (std::size_t i = 0; i < rayFields; ++i) {
-            const auto value = parseFloat(fields[i]);
-            if (!value) {
-                throw Error(ExitCode::File, fmt::format("\"{}\", line {}: \"{}\" is no float32 number",
-                                                        path.string(), line, fields[i]));
-            }
-            values[i] = *value;
-        }
-        rays.push_back(std::bit_cast<render::TraceRay>(values));
+        count += readLine(room[count]) ? 1U : 0U;
     }
+    return count;
+}
+
+// False: the line holds no ray and needs none.
+bool RayReader::readLine(render::TraceRay& ray) {
+    std::string_view content = trimmed(text);
+    constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";  // spreadsheets write one
+    if (line == 1 && content.starts_with(byteOrderMark)) {
+        content.remove_prefix(byteOrderMark.size());
+    }
+    if (content.empty() || content.front() == '#') {
+        return false;
+    }
+    const Fields fields(content);
+    if (std::exchange(headerAllowed, false) && isHeader(fields)) {
+        return false;
+    }
+    if (fields.count != rayFields) {
+        throw Error(
+            ExitCode::File,
+            fmt::format("\"{}\", line {}: {} values instead of 8 (origin x, y, z, tMin, direction x, y, z, "
+                        "tMax)",
+                        path.string(), line, fields.count));
+    }
+    std::array<float, rayFields> values{};
+    for (std::size_t i = 0; i < rayFields; ++i) {
+        const auto value = parseFloat(fields.texts[i]);
+        if (!value) {
+            throw Error(ExitCode::File, fmt::format("\"{}\", line {}: \"{}\" is no float32 number",
+                                                    path.string(), line, fields.texts[i]));
+        }
+        values[i] = *value;
+    }
+    ray = std::bit_cast<render::TraceRay>(values);
+    return true;
 }
 
 HitWriter::HitWriter(const std::filesystem::path& path, RayFormat hitFormat, render::Query query)
@@ -157,11 +179,19 @@ void HitWriter::write(std::span<const float> hits) {
         file.write(std::as_bytes(hits));
         return;
     }
-    fmt::memory_buffer text;
-    for (std::size_t i = 0; i < hits.size(); ++i) {
-        fmt::format_to(std::back_inserter(text), "{}{}", hits[i], (i + 1) % columns == 0 ? '\n' : ',');
+    // Some values at a time, so that their text stays in the processor's cache.
+    constexpr std::size_t most = 4096;
+    text.resize(most * longestValue);
+    std::size_t column = 0;
+    for (; !hits.empty(); hits = hits.subspan(std::min(most, hits.size()))) {
+        char* end = text.data();
+        for (const float hit : hits.first(std::min(most, hits.size()))) {
+            end = writeValue(end, hit);
+            column = column + 1 == columns ? 0 : column + 1;
+            *end++ = column == 0 ? '\n' : ',';
+        }
+        file.write(std::string_view(text.data(), static_cast<std::size_t>(end - text.data())));
     }
-    file.write(std::string_view(text.data(), text.size()));
 }
 
 }  // namespace raytorus::cli

@@ -26,15 +26,17 @@ class RayReader {
 public:
     RayReader(const std::filesystem::path& path, RayFormat format);
 
-    /// Up to `most` rays; none at the end of the file. Throws Error{File} that names the line or the byte.
-    std::vector<render::TraceRay> read(std::size_t most);
+    /// Reads rays into `room`, in order, until it is full or the file ends, and returns how many. Throws
+    /// Error{File} that names the line or the byte.
+    std::size_t read(std::span<render::TraceRay> room);
 
     /// The part of the file that was read, 0 to 1.
     [[nodiscard]] double done() const;
 
 private:
-    void readRaw(std::vector<render::TraceRay>& rays, std::size_t most);
-    void readCsv(std::vector<render::TraceRay>& rays, std::size_t most);
+    std::size_t readRaw(std::span<render::TraceRay> room);
+    std::size_t readCsv(std::span<render::TraceRay> room);
+    bool readLine(render::TraceRay& ray);
 
     std::filesystem::path path;
     RayFormat format;
@@ -42,6 +44,7 @@ private:
     std::uint64_t size = 0;
     std::uint64_t position = 0;  // bytes read
     std::uint64_t line = 0;
+    std::string text;  // of the line
     bool headerAllowed = true;
 };
 
@@ -58,6 +61,7 @@ private:
     RayFormat format;
     std::size_t columns;
     OutputFile file;
+    std::vector<char> text;  // of some rows
 };
 
 }  // namespace raytorus::cli

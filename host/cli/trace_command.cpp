@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <system_error>
@@ -12,6 +13,7 @@
 #include "cli/method_option.hpp"
 #include "cli/number_text.hpp"
 #include "cli/progress.hpp"
+#include "cli/ray_batches.hpp"
 #include "cli/ray_file.hpp"
 #include "render/tracer.hpp"
 #include "verify/reference_tracer.hpp"
@@ -35,9 +37,9 @@ Examples:
   raytorus trace rays.csv -o hits.csv --torus 1,0.01 --method closed-form)";
 
 // Rays of one submission: large enough to keep a GPU busy, small enough that no watchdog minds.
-constexpr std::size_t chunkRays = std::size_t{1} << 20U;
+constexpr std::size_t batchRays = std::size_t{1} << 17U;
 // Of the reference: so that progress is seen.
-constexpr std::size_t exactChunkRays = std::size_t{1} << 14U;
+constexpr std::size_t exactBatchRays = std::size_t{1} << 14U;
 
 struct TraceCommand {
     std::string rays;
@@ -56,6 +58,24 @@ void refuseToOverwriteRays(const TraceCommand& command) {
         throw Error(ExitCode::Usage,
                     fmt::format("--output would overwrite the rays in \"{}\"", command.rays));
     }
+}
+
+void traceExactly(BatchStages& stages,
+                  const std::function<std::size_t(std::span<render::TraceRay>)>& readInto,
+                  render::Query query, std::pair<float, float> radii) {
+    std::array<std::vector<render::TraceRay>, 2> rays;
+    std::array<std::vector<float>, 2> hits;
+    stages.read = [&](std::size_t place) {
+        rays[place].resize(exactBatchRays);
+        rays[place].resize(readInto(rays[place]));
+        return rays[place].size();
+    };
+    stages.start = [](std::size_t, std::size_t) {};
+    stages.finish = [&](std::size_t place) -> std::span<const float> {
+        hits[place] = verify::traceByReference(query, radii.first, radii.second, rays[place]);
+        return hits[place];
+    };
+    runBatches(stages);
 }
 
 ExitCode runTrace(const TraceCommand& command) {
@@ -79,24 +99,25 @@ ExitCode runTrace(const TraceCommand& command) {
     refuseToOverwriteRays(command);
     RayReader reader(command.rays, formatOf(command.rays));
     HitWriter writer(command.hits, formatOf(command.hits), query);
-    const auto traceAll = [&](std::size_t chunk, auto answer) {
-        Progress progress("tracing");
-        for (auto rays = reader.read(chunk); !rays.empty(); rays = reader.read(chunk)) {
-            writer.write(answer(rays));
-            progress.show(reader.done());
-        }
+    Progress progress("tracing");
+    BatchStages stages;
+    const auto readInto = [&](std::span<render::TraceRay> room) {
+        progress.show(reader.done());
+        return reader.read(room);
     };
+    stages.write = [&](std::span<const float> hits) { writer.write(hits); };
     if (exact) {
-        traceAll(exactChunkRays, [&](const std::vector<render::TraceRay>& rays) {
-            return verify::traceByReference(query, majorRadius, minorRadius, rays);
-        });
+        traceExactly(stages, readInto, query, *radii);
     } else {
         withDevice(command.device, [&](gpu::Context& context) {
-            const std::size_t chunk = std::min(chunkRays, render::Tracer::maxCapacity(context, query));
-            render::Tracer tracer(context, query, chunk, shaders);
-            traceAll(chunk, [&](const std::vector<render::TraceRay>& rays) {
-                return tracer.trace(majorRadius, minorRadius, rays);
-            });
+            const std::size_t batch = std::min(batchRays, render::Tracer::maxCapacity(context, query));
+            render::Tracer tracer(context, query, batch, shaders, 2);
+            stages.read = [&](std::size_t place) { return readInto(tracer.rays(place)); };
+            stages.start = [&](std::size_t place, std::size_t count) {
+                tracer.start(place, majorRadius, minorRadius, count);
+            };
+            stages.finish = [&](std::size_t place) { return tracer.finish(place); };
+            runBatches(stages);
         });
     }
     writer.commit();
