@@ -17,6 +17,7 @@ if(RAYTORUS_ASAN)
     target_compile_options(raytorus_warnings INTERFACE ${_sanitize})
     target_link_options(raytorus_warnings INTERFACE ${_sanitize})
     add_library(raytorus_sanitizer STATIC "${CMAKE_CURRENT_LIST_DIR}/sanitizer.cpp")
+    set_target_properties(raytorus_sanitizer PROPERTIES POSITION_INDEPENDENT_CODE ON)  # for modules
     target_link_libraries(raytorus_warnings INTERFACE "$<LINK_LIBRARY:WHOLE_ARCHIVE,raytorus_sanitizer>")
 endif()
 

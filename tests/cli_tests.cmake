@@ -17,6 +17,7 @@ raytorus_add_tests(cli_tests
         program_help_test.cpp
         program_usage_test.cpp
         program_exit_code_test.cpp
+        program_start_test.cpp
         program_render_test.cpp
         program_render_frames_test.cpp
         program_stats_test.cpp

@@ -101,6 +101,16 @@ TEST(Srgb, RoundsToTheNearestAtEveryLimit) {
     }
 }
 
+// Also far from the limits, and where the table of encodeSrgb() goes from one entry to the next.
+TEST(Srgb, EveryValueIsBetweenItsLimits) {
+    for (std::uint32_t bits = 0; bits < std::bit_cast<std::uint32_t>(1.25f); bits += 0x2000u) {
+        for (const std::uint32_t nearby : {bits, bits + 1, bits + 0x1fff}) {
+            const auto above = std::ranges::lower_bound(largestFloatOf, nearby);
+            EXPECT_EQ(encodeSrgb(std::bit_cast<float>(nearby)), above - largestFloatOf.begin()) << nearby;
+        }
+    }
+}
+
 TEST(Srgb, ClampsWhatIsBelowBlackOrAboveWhite) {
     constexpr float most = std::numeric_limits<float>::max();
     for (const float dark : {0.0f, -0.0f, -1e-30f, -1.0f, -most}) {

@@ -1,189 +1,35 @@
 // SPDX-License-Identifier: MIT
-// OpenEXR and PNG by way of OpenImageIO, from memory to memory.
+// PNG is written without OpenImageIO; for the rest, the module that knows it is loaded when it is first
+// needed.
 #include "image/image_codec.hpp"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
+#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
-#include <memory>
-#include <numeric>
-#include <string>
-#include <tuple>
-#include <utility>
 
 #include "core/error.hpp"
-#include "image/png_chunks.hpp"
-#include "image/srgb.hpp"
+#include "image/openimageio_codec.hpp"
+#include "image/png_encode.hpp"
 
 namespace raytorus::image {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> colourChannels = {"R", "G", "B", "A"};
-
-const char* pluginName(Format format) {
-    return format == Format::Exr ? "openexr" : "png";
-}
-const char* formatName(Format format) {
-    return format == Format::Exr ? "OpenEXR" : "PNG";
-}
-
-[[noreturn]] void failReading(std::string_view name, std::string_view reason) {
-    throw Error(ExitCode::File, fmt::format("cannot read \"{}\": {}", name, reason));
+// Never unloaded: its threads and statics end with the program. The loader looks for it by the program's run
+// path.
+Codec load() {
+    void* const module = dlopen(codecModule, RTLD_LAZY | RTLD_LOCAL);
+    const void* const found = module != nullptr ? dlsym(module, codecSymbol) : nullptr;
+    if (found == nullptr) {
+        throw Error(ExitCode::Internal, fmt::format("OpenImageIO could not be loaded: {}", dlerror()));
+    }
+    return *static_cast<const Codec*>(found);
 }
 
-[[noreturn]] void failWriting(ExitCode code, std::string_view name, std::string_view reason) {
-    throw Error(code, fmt::format("cannot write \"{}\": {}", name, reason));
-}
-
-// OpenImageIO's message as a part of one sentence: its first line, without the full stop.
-std::string oneLine(std::string message) {
-    message.resize(std::min(message.size(), message.find('\n')));
-    while (!message.empty() && (message.back() == '.' || message.back() == ' ')) {
-        message.pop_back();
-    }
-    return message.empty() ? "no reason given" : message;
-}
-
-// Pixels, in the layout and type that the file stores, to bytes.
-std::vector<std::byte> store(OIIO::ImageSpec spec, const void* pixels, Format format, std::string_view name) {
-    std::vector<unsigned char> bytes;
-    OIIO::Filesystem::IOVecOutput memory(bytes);
-    OIIO::Filesystem::IOProxy* const proxy = &memory;
-    spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
-    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(pluginName(format));
-    if (!output) {
-        failWriting(ExitCode::File, name, oneLine(OIIO::geterror()));
-    }
-    if (!output->open(std::string(name), spec) || !output->write_image(spec.format, pixels) ||
-        !output->close()) {
-        failWriting(ExitCode::File, name, oneLine(output->geterror()));
-    }
-    const auto stored = std::as_bytes(std::span(bytes));
-    return {stored.begin(), stored.end()};
-}
-
-std::vector<std::byte> encodeExr(const Image& image, std::string_view name) {
-    OIIO::ImageSpec spec(image.width, image.height, image.channelCount(), OIIO::TypeDesc::FLOAT);
-    spec.channelnames = image.channelNames;
-    spec.attribute("compression", "zip");
-    spec.attribute("DateTime", "");  // left out, OpenImageIO would store the time of writing
-    return store(spec, image.pixels.data(), Format::Exr, name);
-}
-
-std::vector<std::byte> encodePng(const Image& image, std::string_view name) {
-    std::vector<int> channels;
-    for (const std::string_view channel : colourChannels) {
-        if (const int index = image.channelIndex(channel); index >= 0) {
-            channels.push_back(index);
-        } else if (channel != "A") {
-            failWriting(ExitCode::File, name,
-                        fmt::format("a PNG needs the channels R, G and B, and the image has no {}", channel));
-        }
-    }
-    const int alpha = image.channelIndex("A");
-    std::vector<std::uint8_t> stored;
-    stored.reserve(image.pixels.size() / image.channelNames.size() * channels.size());
-    for (int y = 0; y < image.height; ++y) {
-        for (int x = 0; x < image.width; ++x) {
-            const std::span<const float> values = image.pixel(x, y);
-            for (const int channel : channels) {
-                const float value = values[static_cast<std::size_t>(channel)];
-                if (!isFinite(value)) {
-                    failWriting(ExitCode::NonFinite, name,
-                                fmt::format("channel {} of pixel ({}, {}) is not a finite number",
-                                            image.channelNames[static_cast<std::size_t>(channel)], x, y));
-                }
-                stored.push_back(channel == alpha ? encodeLinear(value) : encodeSrgb(value));
-            }
-        }
-    }
-    OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(channels.size()), OIIO::TypeDesc::UINT8);
-    spec.attribute("oiio:ColorSpace", "sRGB");    // writes the sRGB chunk; the values are encoded already
-    spec.attribute("oiio:UnassociatedAlpha", 1);  // keeps OpenImageIO from dividing colour by alpha
-    return store(spec, stored.data(), Format::Png, name);
-}
-
-// R, G, B, A first, then by name. Files keep their channels in orders of their own.
-std::vector<std::size_t> documentedOrder(std::span<const std::string> names) {
-    std::vector<std::size_t> order(names.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    const auto rank = [&](std::size_t channel) {
-        const auto place = std::ranges::find(colourChannels, names[channel]) - colourChannels.begin();
-        return std::tuple(place, std::string_view(names[channel]));
-    };
-    std::ranges::sort(order, {}, rank);
-    return order;
-}
-
-void checkSignature(std::span<const std::byte> bytes, Format format, std::string_view name) {
-    constexpr std::array<unsigned char, 4> exr = {0x76, 0x2f, 0x31, 0x01};
-    constexpr std::array<unsigned char, 8> png = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-    const std::span<const unsigned char> signature =
-        format == Format::Exr ? std::span<const unsigned char>(exr) : std::span<const unsigned char>(png);
-    if (bytes.empty()) {
-        failReading(name, "it is empty");
-    }
-    if (bytes.size() < signature.size() ||
-        !std::ranges::equal(bytes.first(signature.size()), std::as_bytes(signature))) {
-        failReading(name, fmt::format("it is not an image in the {} format", formatName(format)));
-    }
-}
-
-void checkSpec(const OIIO::ImageSpec& spec, Format format, std::string_view name) {
-    if (const std::string problem = shapeProblem(spec.width, spec.height, spec.channelnames);
-        !problem.empty()) {
-        failReading(name, problem);
-    }
-    if (spec.deep || spec.depth > 1) {
-        failReading(name, "it holds deep or volume pixels, not one value a channel");
-    }
-    if (spec.x != spec.full_x || spec.y != spec.full_y || spec.width != spec.full_width ||
-        spec.height != spec.full_height) {
-        failReading(name, "its data window is not its display window");
-    }
-    for (int channel = 0; format == Format::Exr && channel < spec.nchannels; ++channel) {
-        if (!spec.channelformat(channel).is_floating_point()) {
-            failReading(name,
-                        fmt::format("its channel {} holds integers, not floats", spec.channel_name(channel)));
-        }
-    }
-}
-
-SampleType sampleTypeOf(const OIIO::ImageSpec& spec, Format format) {
-    if (format == Format::Png) {
-        return spec.format == OIIO::TypeDesc::UINT16 ? SampleType::Unsigned16 : SampleType::Unsigned8;
-    }
-    for (int channel = 0; channel < spec.nchannels; ++channel) {
-        if (spec.channelformat(channel) == OIIO::TypeDesc::HALF) {
-            return SampleType::Float16;
-        }
-    }
-    return SampleType::Float32;
-}
-
-// The values as stored, in the file's order of channels, as floats.
-template <typename Stored>
-std::vector<float> readValues(OIIO::ImageInput& input, OIIO::TypeDesc type, float one,
-                              std::string_view name) {
-    const OIIO::ImageSpec spec = input.spec();
-    std::vector<Stored> stored(static_cast<std::size_t>(spec.image_pixels()) *
-                               static_cast<std::size_t>(spec.nchannels));
-    if (!input.read_image(0, 0, 0, spec.nchannels, type, stored.data())) {
-        failReading(name, fmt::format("it is truncated or corrupt ({})", oneLine(input.geterror())));
-    }
-    if constexpr (std::is_same_v<Stored, float>) {
-        return stored;
-    } else {
-        std::vector<float> values(stored.size());
-        std::ranges::transform(stored, values.begin(),
-                               [one](Stored value) { return static_cast<float>(value) / one; });
-        return values;
-    }
+const Codec& codec() {
+    static const Codec loaded = load();
+    return loaded;
 }
 
 }  // namespace
@@ -194,59 +40,16 @@ std::vector<std::byte> encode(const Image& image, Format format, std::string_vie
                                static_cast<std::size_t>(std::max(image.height, 0)) *
                                image.channelNames.size();
     if (!problem.empty() || image.pixels.size() != values) {
-        failWriting(ExitCode::Internal, name,
-                    problem.empty() ? "the number of its pixels does not match its size" : problem);
+        throw Error(
+            ExitCode::Internal,
+            fmt::format("cannot write \"{}\": {}", name,
+                        problem.empty() ? "the number of its pixels does not match its size" : problem));
     }
-    return format == Format::Exr ? encodeExr(image, name) : encodePng(image, name);
+    return format == Format::Png ? encodePng(image, name) : codec().encodeExr(image, name);
 }
 
 Image decode(std::span<const std::byte> bytes, Format format, std::string_view name) {
-    checkSignature(bytes, format, name);
-    if (const std::string problem = format == Format::Png ? pngProblem(bytes) : std::string();
-        !problem.empty()) {
-        failReading(name, problem);
-    }
-    OIIO::Filesystem::IOMemReader memory(const_cast<std::byte*>(bytes.data()), bytes.size());
-    OIIO::Filesystem::IOProxy* const proxy = &memory;
-    OIIO::ImageSpec config;
-    config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
-    config.attribute("oiio:UnassociatedAlpha", 1);  // values as stored: not multiplied by alpha
-    const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(pluginName(format));
-    if (!input) {
-        failReading(name, oneLine(OIIO::geterror()));
-    }
-    OIIO::ImageSpec spec;
-    if (!input->open(std::string(name), spec, config)) {
-        failReading(name, fmt::format("it is truncated or corrupt ({})", oneLine(input->geterror())));
-    }
-    checkSpec(spec, format, name);
-    std::vector<float> values;
-    if (format == Format::Exr) {
-        values = readValues<float>(*input, OIIO::TypeDesc::FLOAT, 1.0f, name);
-    } else if (spec.format == OIIO::TypeDesc::UINT16) {
-        values = readValues<std::uint16_t>(*input, OIIO::TypeDesc::UINT16, 65535.0f, name);
-    } else {
-        values = readValues<std::uint8_t>(*input, OIIO::TypeDesc::UINT8, 255.0f, name);
-    }
-    if (input->seek_subimage(1, 0)) {
-        failReading(name, "it has several parts, not one image");
-    }
-    std::ignore =
-        input->geterror();  // that there is no second part is no error; unread, OpenImageIO prints it
-
-    const std::vector<std::size_t> order = documentedOrder(spec.channelnames);
-    std::vector<std::string> names;
-    for (const std::size_t channel : order) {
-        names.push_back(spec.channelnames[channel]);
-    }
-    Image image(spec.width, spec.height, std::move(names));
-    image.sampleType = sampleTypeOf(spec, format);
-    for (std::size_t first = 0; first < values.size(); first += order.size()) {
-        for (std::size_t channel = 0; channel < order.size(); ++channel) {
-            image.pixels[first + channel] = values[first + order[channel]];
-        }
-    }
-    return image;
+    return codec().decode(bytes, format, name);
 }
 
 }  // namespace raytorus::image

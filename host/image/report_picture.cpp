@@ -2,7 +2,7 @@
 // Images made fit to be looked at, as text that a page can hold.
 #include "image/report_picture.hpp"
 
-#include <OpenImageIO/strutil.h>
+#include <openssl/evp.h>
 
 #include <algorithm>
 #include <array>
@@ -68,9 +68,11 @@ Image displayImage(const Image& image, const Image& scale) {
 
 std::string pngDataUri(const Image& image) {
     const std::vector<std::byte> png = encode(image, Format::Png, "picture in a report");
-    const std::string_view bytes(reinterpret_cast<const char*>(png.data()), png.size());
-    return "data:image/png;base64," +
-           OIIO::Strutil::base64_encode(OIIO::string_view(bytes.data(), bytes.size()));
+    std::string text((png.size() + 2) / 3 * 4 + 1, '\0');  // EVP_EncodeBlock ends it with a zero
+    EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()),
+                    reinterpret_cast<const unsigned char*>(png.data()), static_cast<int>(png.size()));
+    text.pop_back();
+    return "data:image/png;base64," + text;
 }
 
 }  // namespace raytorus::image

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// sRGB by its 255 rounding limits: no pow() a pixel, and no question how a result near a limit is rounded.
+// sRGB by its 255 rounding limits: no pow() a pixel, and no question how a result near a limit is rounded. A
+// table says where among them to begin.
 #include "image/srgb.hpp"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 namespace raytorus::image {
@@ -26,12 +28,39 @@ std::array<double, 255> roundingLimits() {
     return limits;
 }
 
+// Floats by the 16 bits of sign, exponent and 7 of the fraction: from the one before the first limit to 1.
+constexpr std::uint32_t bucketBits = 16;
+constexpr std::uint32_t firstBucket = std::bit_cast<std::uint32_t>(0x1p-14F) >> bucketBits;
+constexpr std::uint32_t endBucket = std::bit_cast<std::uint32_t>(1.0F) >> bucketBits;
+
+struct Encoding {
+    Encoding() {
+        for (std::uint32_t bucket = firstBucket; bucket < endBucket; ++bucket) {
+            const auto least = std::bit_cast<float>(bucket << bucketBits);
+            const auto above = std::ranges::upper_bound(limits, static_cast<double>(least));
+            below[bucket - firstBucket] = static_cast<std::uint8_t>(above - limits.begin());
+        }
+    }
+    std::array<double, 255> limits = roundingLimits();
+    std::array<std::uint8_t, endBucket - firstBucket> below{};  // limits up to the least float of a bucket
+};
+
 }  // namespace
 
 std::uint8_t encodeSrgb(float linear) {
-    static const std::array<double, 255> limits = roundingLimits();
-    const auto above = std::ranges::upper_bound(limits, static_cast<double>(linear));
-    return static_cast<std::uint8_t>(above - limits.begin());
+    static const Encoding encoding;
+    const std::uint32_t bucket = std::bit_cast<std::uint32_t>(linear) >> bucketBits;
+    if (!(linear >= 0x1p-14F)) {
+        return 0;
+    }
+    if (bucket >= endBucket) {
+        return 255;
+    }
+    std::uint8_t code = encoding.below[bucket - firstBucket];
+    while (code < 255 && encoding.limits[code] <= static_cast<double>(linear)) {
+        ++code;  // most buckets hold no limit, and few hold two
+    }
+    return code;
 }
 
 float decodeSrgb(std::uint8_t stored) {
@@ -40,7 +69,7 @@ float decodeSrgb(std::uint8_t stored) {
 
 std::uint8_t encodeLinear(float value) {
     const double scaled = std::clamp(static_cast<double>(value), 0.0, 1.0) * 255.0;
-    return static_cast<std::uint8_t>(std::lround(scaled));
+    return static_cast<std::uint8_t>(scaled + 0.5);  // exact, and so is the rounding
 }
 
 }  // namespace raytorus::image
