@@ -19,6 +19,7 @@ raytorus_add_tests(gpu_tests
         loose_arithmetic_test.cpp
         picture_checks.cpp
         picture_test.cpp
+        pipeline_store_test.cpp
         quartic_rays_test.cpp
         special_lines.cpp
         special_lines_test.cpp

@@ -83,13 +83,19 @@ public:
     Checking(const golden::Set& goldens, const DeviceOptions& deviceOptions)
         : set(&goldens), shaders(deviceOptions.shaders()) {}
 
+    /// The pipelines take most of the time: they are made several at once, while pictures are drawn.
+    void prepare(const gpu::Context& context, const Drawing& drawing,
+                 std::map<const Method*, render::PipelineStore>& pipelines) const {
+        golden::prepare(context, *set, drawing.row, drawing.route, shadersOf(drawing),
+                        pipelines[drawing.method]);
+    }
+
     /// pipelines: of each method, kept from one drawing to the next.
     void add(gpu::Context& context, const Drawing& drawing,
              std::map<const Method*, render::PipelineStore>& pipelines) {
         const auto start = std::chrono::steady_clock::now();
-        const image::Image actual = golden::draw(
-            context, *set, drawing.row, drawing.route,
-            drawing.method != nullptr ? drawing.method->shaders : shaders, &pipelines[drawing.method]);
+        const image::Image actual = golden::draw(context, *set, drawing.row, drawing.route,
+                                                 shadersOf(drawing), &pipelines[drawing.method]);
         golden::Checked checked =
             golden::check(*set, drawing.row, drawing.label, actual, drawing.allowedPixels);
         const bool bitsPromised = context.info().type == "CPU" && drawing.method == nullptr;
@@ -128,6 +134,10 @@ public:
     std::int64_t marginal = 0, flips = 0, failures = 0;
 
 private:
+    [[nodiscard]] const render::ShaderSource& shadersOf(const Drawing& drawing) const {
+        return drawing.method != nullptr ? drawing.method->shaders : shaders;
+    }
+
     void count(const golden::Checked& checked) {
         if (!checked.report.passed) {
             ++failures;
@@ -164,6 +174,9 @@ ExitCode runCheck(const GoldenCommand& command) {
         Progress progress("checking");
         const std::vector<Drawing> drawings = drawingsOf(rows);
         std::map<const Method*, render::PipelineStore> pipelines;
+        for (const Drawing& drawing : drawings) {
+            checking.prepare(context, drawing, pipelines);
+        }
         for (const Drawing& drawing : drawings) {
             checking.add(context, drawing, pipelines);
             progress.show(static_cast<double>(checking.cases.size()) / static_cast<double>(drawings.size()));

@@ -9,6 +9,16 @@
 
 namespace raytorus::golden {
 
+void prepare(const gpu::Context& context, const Set& set, const Case& row, render::Route route,
+             const render::ShaderSource& shaders, render::PipelineStore& pipelines) {
+    try {
+        render::preparePipeline(context, pipelines, render::readScene(set.scene(row)),
+                                {route, row.samplesPerSide, shaders}, render::RenderOptions().aovs);
+    } catch (const Error&) {
+        return;
+    }
+}
+
 image::Image draw(gpu::Context& context, const Set& set, const Case& row, render::Route route,
                   const render::ShaderSource& shaders, render::PipelineStore* pipelines) {
     render::RenderOptions options;

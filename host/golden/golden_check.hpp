@@ -13,6 +13,11 @@
 
 namespace raytorus::golden {
 
+/// Lets the pipeline that draw() will want be made ahead, by another thread. A scene that cannot be read is
+/// passed over: draw() says so when its turn comes.
+void prepare(const gpu::Context& context, const Set& set, const Case& row, render::Route route,
+             const render::ShaderSource& shaders, render::PipelineStore& pipelines);
+
 /// The picture of a case, all channels, as it is drawn now.
 image::Image draw(gpu::Context& context, const Set& set, const Case& row, render::Route route,
                   const render::ShaderSource& shaders = {}, render::PipelineStore* pipelines = nullptr);

@@ -55,14 +55,12 @@ std::uint32_t nextBandRows(std::uint32_t rows, double seconds, double wanted) {
 
 }  // namespace
 
-gpu::Pipeline& PipelineStore::find(Route route, const std::vector<std::uint32_t>& specialization,
-                                   const std::function<gpu::Pipeline()>& make) {
-    const std::pair key(route, specialization);
-    auto found = pipelines.find(key);
-    if (found == pipelines.end()) {
-        found = pipelines.emplace(key, make()).first;
-    }
-    return found->second;
+void preparePipeline(const gpu::Context& context, PipelineStore& pipelines, const Scene& scene,
+                     const DrawingOptions& options, bool aovs) {
+    const std::size_t images = PictureTargets::imageCount(aovs);
+    const gpu::PipelineLayoutInfo info = layoutInfo(scene, options, images);
+    pipelines.prepare(options.route, info.specialization,
+                      [=, &context] { return makePipeline(context, options, info, images); });
 }
 
 RouteOutput outputOf(Route route) {

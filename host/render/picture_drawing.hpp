@@ -4,35 +4,14 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <map>
-#include <utility>
-#include <vector>
 
-#include "gpu/pipeline.hpp"
 #include "gpu/timestamps.hpp"
 #include "render/picture_targets.hpp"
+#include "render/pipeline_store.hpp"
 #include "render/scene_buffers.hpp"
 #include "render/shader_source.hpp"
 
 namespace raytorus::render {
-
-enum class Route { Fragment, Compute };
-
-/// Pipelines kept from one picture to the next. Scenes with as many tori, lights and samples have the same,
-/// and a driver compiles each for longer than it draws a small picture. For one context, which must outlive
-/// it, and one ShaderSource.
-class PipelineStore {
-public:
-    /// The pipeline for these specialization constants; `make` is called where there is none yet.
-    gpu::Pipeline& find(Route route, const std::vector<std::uint32_t>& specialization,
-                        const std::function<gpu::Pipeline()>& make);
-
-    [[nodiscard]] std::size_t size() const { return pipelines.size(); }
-
-private:
-    std::map<std::pair<Route, std::vector<std::uint32_t>>, gpu::Pipeline> pipelines;
-};
 
 /// How a picture is drawn; where the geometric pictures go is the targets' business.
 struct DrawingOptions {
@@ -55,6 +34,11 @@ struct Band {
     double seconds = 0.0;        ///< by the wall clock
     double deviceSeconds = 0.0;  ///< the device's own; 0 where it has no timestamps
 };
+
+/// Lets the pipeline that such a drawing needs be made in another thread, for PictureDrawing to find it in
+/// the store. aovs: the geometric pictures too. The context is kept by reference.
+void preparePipeline(const gpu::Context& context, PipelineStore& pipelines, const Scene& scene,
+                     const DrawingOptions& options, bool aovs);
 
 class PictureDrawing {
 public:

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -11,7 +12,7 @@
 namespace raytorus::render {
 namespace {
 
-// For each image, the channels its four components become; "" is dropped.
+// For each image, the channels its four components become; "" is dropped, and comes last.
 constexpr std::array<std::array<const char*, 4>, 4> components = {{
     {"R", "G", "B", "A"},
     {"position.x", "position.y", "position.z", "t"},
@@ -29,6 +30,26 @@ std::vector<std::string> channelNames(bool aovs) {
     return {channelOrder.begin(), aovs ? channelOrder.end() : channelOrder.begin() + colorChannels};
 }
 
+// The values of image i to the channels that they become.
+void distribute(std::span<const float> values, std::size_t i, image::Image& picture) {
+    if (picture.channelCount() == colorChannels) {
+        std::ranges::copy(values, picture.pixels.begin());
+        return;
+    }
+    std::array<std::ptrdiff_t, 4> channels{};
+    std::size_t used = 0;
+    for (; used < channels.size() && components[i][used][0] != '\0'; ++used) {
+        channels[used] = picture.channelIndex(components[i][used]);
+    }
+    float* to = picture.pixels.data();
+    for (std::size_t pixel = 0; pixel < values.size() / 4; ++pixel) {
+        for (std::size_t component = 0; component < used; ++component) {
+            to[channels[component]] = values[pixel * 4 + component];
+        }
+        to += picture.channelCount();
+    }
+}
+
 }  // namespace
 
 PictureTargets::PictureTargets(const gpu::Context& context, VkExtent2D extent, bool aovs) {
@@ -37,9 +58,13 @@ PictureTargets::PictureTargets(const gpu::Context& context, VkExtent2D extent, b
     if (!problem.empty()) {
         throw Error(ExitCode::OutOfMemory, fmt::format("the picture is too large: {}", problem));
     }
-    for (std::size_t i = 0; i < (aovs ? components.size() : 1); ++i) {
+    for (std::size_t i = 0; i < imageCount(aovs); ++i) {
         targets.emplace_back(context, extent);
     }
+}
+
+std::size_t PictureTargets::imageCount(bool aovs) {
+    return aovs ? components.size() : 1;
 }
 
 void PictureTargets::begin(VkCommandBuffer commands, gpu::Use use, VkImageLayout layout) const {
@@ -53,7 +78,6 @@ image::Image PictureTargets::readBack(gpu::Context& context, VkExtent2D extent, 
     const std::size_t pixels = std::size_t{extent.width} * extent.height;
     image::Image picture(static_cast<int>(extent.width), static_cast<int>(extent.height),
                          channelNames(targets.size() > 1));
-    const std::size_t channels = picture.channelNames.size();
     // One image at a time through one buffer: a picture with everything needs memory for itself and little
     // more.
     const gpu::Buffer buffer(context, pixels * gpu::Image::bytesPerPixel, gpu::BufferUse::ReadBack);
@@ -64,17 +88,7 @@ image::Image PictureTargets::readBack(gpu::Context& context, VkExtent2D extent, 
             gpu::copyOut(commands, targets[i], extent, buffer);
             gpu::bufferBarrier(commands, buffer, gpu::copyWrite, gpu::hostRead);
         });
-        const std::span<const float> values = buffer.as<const float>();
-        for (std::size_t component = 0; component < 4; ++component) {
-            const int channel = picture.channelIndex(components[i][component]);
-            if (channel < 0) {
-                continue;
-            }
-            float* to = picture.pixels.data() + channel;
-            for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
-                to[pixel * channels] = values[pixel * 4 + component];
-            }
-        }
+        distribute(buffer.as<const float>().first(pixels * 4), i, picture);
     }
     return picture;
 }

@@ -14,6 +14,8 @@ class PictureTargets {
 public:
     PictureTargets(const gpu::Context& context, VkExtent2D extent, bool aovs);
 
+    [[nodiscard]] static std::size_t imageCount(bool aovs);
+
     [[nodiscard]] std::span<const gpu::Image> images() const { return targets; }
 
     /// Makes them ready to be drawn to or stored into, their contents undefined.
