@@ -15,7 +15,9 @@ if(RAYTORUS_ASAN)
     set(_sanitize -fsanitize=address,undefined -fno-sanitize=null,vptr,alignment -fno-sanitize-recover=undefined
         -fno-omit-frame-pointer)
     target_compile_options(raytorus_warnings INTERFACE ${_sanitize})
-    target_link_options(raytorus_warnings INTERFACE ${_sanitize})
+    # The sanitizer stands between a program and dlopen, and a run path of the newer kind holds for calls from the
+    # program itself alone: host/image's module would not be found.
+    target_link_options(raytorus_warnings INTERFACE ${_sanitize} LINKER:--disable-new-dtags)
     add_library(raytorus_sanitizer STATIC "${CMAKE_CURRENT_LIST_DIR}/sanitizer.cpp")
     set_target_properties(raytorus_sanitizer PROPERTIES POSITION_INDEPENDENT_CODE ON)  # for modules
     target_link_libraries(raytorus_warnings INTERFACE "$<LINK_LIBRARY:WHOLE_ARCHIVE,raytorus_sanitizer>")
