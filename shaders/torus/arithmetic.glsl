@@ -56,14 +56,18 @@ float torus_advance(float base, float factor, float direction, out float low) {
 }
 
 // a^2 + b^2 - c^2 where the first two nearly make up the third, to some 2^-47 of c^2: the larger of a^2 and b^2 less
-// c^2 is exact (Sterbenz), and so is what the squares' own roundings are.
+// c^2 is exact (Sterbenz) unless both are less than half of c^2, and what it loses then (Dekker's sum, of which the
+// second is the larger), as the squares' own roundings, is known exactly.
 float torus_squareDifference(float a, float b, float c) {
     TORUS_PRECISE float aa = a * a;
     TORUS_PRECISE float bb = b * b;
     TORUS_PRECISE float cc = c * c;
     TORUS_PRECISE float errors =
         (torus_productError(a, a, aa) + torus_productError(b, b, bb)) - torus_productError(c, c, cc);
-    TORUS_PRECISE float difference = ((max(aa, bb) - cc) + min(aa, bb)) + errors;
+    TORUS_PRECISE float larger = max(aa, bb);
+    TORUS_PRECISE float rest = larger - cc;
+    TORUS_PRECISE float lost = larger - (rest + cc);
+    TORUS_PRECISE float difference = (rest + min(aa, bb)) + (errors + lost);
     return difference;
 }
 

@@ -6,6 +6,11 @@
 
 #include "arithmetic.glsl"
 
+// A statement for each step of each loop, for counting them: empty unless defined before.
+#ifndef TORUS_ON_STEP
+#define TORUS_ON_STEP
+#endif
+
 // The points foot + footLow + u * direction. One unit is the power of two at or below R + r, so R + r is in [1, 2).
 struct torus_Line {
     float majorRadius;     // R in units
@@ -14,9 +19,11 @@ struct torus_Line {
     vec3 footLow;          // what the rounding of foot took away: foot + footLow is right to 2^-40 or so
     vec3 direction;        // as given, scaled by a power of two: its longest component is in [1, 2)
     float length2;         // its squared length
-    float lower;           // the searched interval of u: where [tMin, tMax] meets the bounding sphere. The ends
-    float upper;           //   that the sphere gives lie outside the torus
-    float halfChord;       // the bounding sphere spans [-halfChord, halfChord]: outside the torus at both ends
+    float enter;           // where the line can be in the torus: in its bounding sphere and between z = -r and z = r.
+    float leave;           //   Outside the torus at both ends
+    float lower;           // the searched interval of u: what [tMin, tMax] leaves of that
+    float upper;
+    float halfChord;       // the bounding sphere spans [-halfChord, halfChord]
     float footT;           // t of the foot is footT + footTLow ...
     float footTLow;        //
     float tPerU;           // ... and t = footT + footTLow + u * tPerU
@@ -26,6 +33,9 @@ struct torus_Line {
 // Room around the bounding sphere, relative to its squared radius. A ray in the plane z = 0 meets sphere and torus in
 // the same point: rounding (some 2^-22) must not put the torus' root outside the searched interval.
 #define TORUS_SPHERE_ROOM 1.00001
+
+// Room around what a ray is tested against before anything of it is known exactly, in units: some ten roundings.
+#define TORUS_ROOM 2.0e-6
 
 // origin + factor * direction, each component as in torus_advance.
 vec3 torus_advance3(vec3 base, float factor, vec3 direction, out vec3 low) {
@@ -64,6 +74,17 @@ bool torus_reduce(float majorRadius, float minorRadius, vec3 origin, float tMin,
     TORUS_PRECISE float dd = d.x * d.x + d.y * d.y + d.z * d.z;
     TORUS_PRECISE float perDd = 1.0 / dd;
     TORUS_PRECISE float firstShift = -(o.x * d.x + o.y * d.y + o.z * d.z) * perDd;
+    TORUS_PRECISE float R = majorRadius * perUnit;
+    TORUS_PRECISE float r = minorRadius * perUnit;
+    TORUS_PRECISE float outer = R + r;
+    // Most rays that miss pass the bounding sphere by, and by more than rounding could be wrong.
+    TORUS_PRECISE vec3 rough = o + firstShift * d;
+    TORUS_PRECISE float rough2 = rough.x * rough.x + rough.y * rough.y + rough.z * rough.z;
+    TORUS_PRECISE float around = outer * 1.00001 + 1.0e-6 * (abs(o.x) + abs(o.y) + abs(o.z));
+    TORUS_PRECISE float around2 = around * around;
+    if (!(valid && tMin <= tMax && rough2 <= around2)) {
+        return false;
+    }
     vec3 firstLow;
     vec3 first = torus_advance3(o, firstShift, d, firstLow);
     TORUS_PRECISE float secondShift = -(first.x * d.x + first.y * d.y + first.z * d.z) * perDd;
@@ -71,12 +92,15 @@ bool torus_reduce(float majorRadius, float minorRadius, vec3 origin, float tMin,
     vec3 foot = torus_advance3(first, secondShift, d, secondLow);
     TORUS_PRECISE vec3 footLow = firstLow + secondLow;
 
-    TORUS_PRECISE float R = majorRadius * perUnit;
-    TORUS_PRECISE float r = minorRadius * perUnit;
-    TORUS_PRECISE float outer = R + r;
     TORUS_PRECISE float foot2 = foot.x * foot.x + foot.y * foot.y + foot.z * foot.z;
     TORUS_PRECISE float halfChord2 = outer * outer * TORUS_SPHERE_ROOM - foot2;
     TORUS_PRECISE float halfChord = sqrt(max(halfChord2, 0.0) * perDd);
+    // Between the planes z = -r and z = r.
+    TORUS_PRECISE float perDz = 1.0 / max(abs(d.z), 1.0e-30);
+    TORUS_PRECISE float footZ = d.z < 0.0 ? -foot.z : foot.z;
+    TORUS_PRECISE float slab = r + TORUS_ROOM;
+    TORUS_PRECISE float enter = max((-slab - footZ) * perDz, -halfChord);
+    TORUS_PRECISE float leave = min((slab - footZ) * perDz, halfChord);
 
     // Both are powers of two: no bit of t is lost on the way.
     TORUS_PRECISE float tScale = unit * perDirectionUnit;
@@ -95,9 +119,22 @@ bool torus_reduce(float majorRadius, float minorRadius, vec3 origin, float tMin,
     // Infinite ends are legal; beyond the sphere every end is alike.
     TORUS_PRECISE float lower = ((max(tMin, -TORUS_FLOAT_MAX) - line.footT) - line.footTLow) * uPerT;
     TORUS_PRECISE float upper = ((min(tMax, TORUS_FLOAT_MAX) - line.footT) - line.footTLow) * uPerT;
-    line.lower = max(lower, -halfChord);
-    line.upper = min(upper, halfChord);
-    return valid && tMin <= tMax && halfChord2 > 0.0 && line.lower <= line.upper;
+    lower = max(lower, enter);
+    upper = min(upper, leave);
+    line.enter = enter;
+    line.leave = leave;
+    line.lower = lower;
+    line.upper = upper;
+    // rho is convex: where both ends are in the hole, so is all between.
+    TORUS_PRECISE float lowerX = foot.x + lower * d.x;
+    TORUS_PRECISE float lowerY = foot.y + lower * d.y;
+    TORUS_PRECISE float upperX = foot.x + upper * d.x;
+    TORUS_PRECISE float upperY = foot.y + upper * d.y;
+    TORUS_PRECISE float lowerRho2 = lowerX * lowerX + lowerY * lowerY;
+    TORUS_PRECISE float upperRho2 = upperX * upperX + upperY * upperY;
+    TORUS_PRECISE float hole = max(R - slab, 0.0);
+    TORUS_PRECISE float hole2 = hole * hole;
+    return halfChord2 > 0.0 && lower <= upper && max(lowerRho2, upperRho2) >= hole2;
 }
 
 #endif

@@ -3,6 +3,7 @@
 #ifndef TORUS_SPANS_GLSL
 #define TORUS_SPANS_GLSL
 
+#include "quartic.glsl"
 #include "tube.glsl"
 
 // At most two spans, around the two minima of G. Where both dip below zero and the maximum between them does too,
@@ -60,7 +61,7 @@ bool torus_crossing(torus_Line line, torus_Spans spans, int index, bool wanted, 
 }
 
 // The first crossing in the interval: into the solid if the interval starts outside, else out of it.
-bool torus_firstCrossing(torus_Line line, out float u, out bool rising) {
+bool torus_exactFirstCrossing(torus_Line line, out float u, out bool rising) {
     torus_Spans spans = torus_dips(torus_extrema(line));
     float slope;
     bool inside = torus_tube(line, line.lower, slope) < 0.0;
@@ -73,8 +74,19 @@ bool torus_firstCrossing(torus_Line line, out float u, out bool rising) {
     return torus_crossing(line, spans, index, inside || firstAhead || secondAhead, u, rising);
 }
 
+// The same, by the filter where that knows it.
+bool torus_firstCrossing(torus_Line line, out float u, out bool rising) {
+    bool known;
+    bool crosses = torus_filter(line, u, known);
+    rising = false;
+    if (!known) {
+        crosses = torus_exactFirstCrossing(line, u, rising);
+    }
+    return crosses;
+}
+
 // Whether the interval holds any crossing: its ends lie on different sides, or a dip lies between them, or a gap.
-bool torus_crosses(torus_Line line) {
+bool torus_exactCrosses(torus_Line line) {
     torus_Spans spans = torus_dips(torus_extrema(line));
     float slope;
     bool insideLower = torus_tube(line, line.lower, slope) < 0.0;
@@ -87,6 +99,17 @@ bool torus_crosses(torus_Line line) {
     bool gapBetween = spans.first && spans.second && !spans.joined && line.lower < spans.middle &&
                       line.upper > spans.middle;
     return insideLower != insideUpper || (insideLower ? gapBetween : dipBetween);
+}
+
+// The same, by the filter where that knows it.
+bool torus_crosses(torus_Line line) {
+    float u;
+    bool known;
+    bool crosses = torus_filter(line, u, known);
+    if (!known) {
+        crosses = torus_exactCrosses(line);
+    }
+    return crosses;
 }
 
 #endif

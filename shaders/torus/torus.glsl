@@ -154,6 +154,11 @@ int torusIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, floa
     if (!torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line)) {
         return 0;
     }
+    float first;
+    bool known;
+    if (!torus_filter(line, first, known) && known) {
+        return 0;
+    }
     torus_Spans spans = torus_dips(torus_extrema(line));
     torus_split(line, true, spans);
     int count = 0;
@@ -163,8 +168,10 @@ int torusIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, floa
         bool rising = false;
         // Where there is no crossing the last step would go on from anywhere to nowhere, as often as it may.
         if (torus_crossing(line, spans, i, true, u, rising)) {
+            // The filter's start where it has one, so that the first hit is torusIntersect's to the bit.
+            bool filtered = known && count == 0 && !rising && u >= line.lower;
             float exactU;
-            TorusHit hit = torus_hit(line, u, rising, from, tMax, exactU);
+            TorusHit hit = torus_hit(line, filtered ? first : u, rising, from, tMax, exactU);
             if (exactU >= line.lower && exactU <= line.upper) {
                 hits[count] = hit;
                 from = hit.t;

@@ -18,11 +18,6 @@
 
 #include "line.glsl"
 
-// A statement for each step of each loop, for counting them: empty unless defined before.
-#ifndef TORUS_ON_STEP
-#define TORUS_ON_STEP
-#endif
-
 // Steps to an extremum. Newton halves the error of a nearly double root of g (where minimum and maximum merge, and G
 // is as flat as a quartic at its extremum): 16 halvings leave a dip of (2^-16)^4 unseen, far below the rounding of G.
 #define TORUS_EXTREMUM_STEPS 16

@@ -31,8 +31,8 @@ constexpr Mutation rows[] = {
      "torus_sumError(base, product, sum) + torus_productError(factor, direction, product)",
      "torus_sumError(base, product, sum)", "the product's rounding dropped"},
     {"advance-rest-lost", arithmetic, "low = lost", "low = 0.0", "the rest of the sum thrown away"},
-    {"squares-rounded", arithmetic, "((max(aa, bb) - cc) + min(aa, bb)) + errors",
-     "(max(aa, bb) - cc) + min(aa, bb)", "the squares' roundings dropped"},
+    {"squares-rounded", arithmetic, "(rest + min(aa, bb)) + (errors + lost)", "rest + min(aa, bb)",
+     "the squares' roundings dropped"},
     {"squares-one-rounded", arithmetic, " - torus_productError(c, c, cc)", "",
      "the third square's rounding dropped"},
 

@@ -26,7 +26,7 @@
 // Where a rough root has to lie to be ahead: anywhere if the ray enters through the bounding sphere.
 float quarticFrom(torus_Line line) {
     TORUS_PRECISE float from = line.lower - QUARTIC_ROOM * line.minorRadius;
-    return line.lower > -line.halfChord ? from : -TORUS_FLOAT_MAX;
+    return line.lower > line.enter ? from : -TORUS_FLOAT_MAX;
 }
 
 #ifdef QUARTIC_DIPS

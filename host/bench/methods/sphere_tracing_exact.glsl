@@ -52,7 +52,7 @@ bool marchStart(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax
                 out float perLength, out bool inside) {
     bool meets = torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line);
     perLength = inversesqrt(line.length2);
-    inside = meets && line.lower > -line.halfChord && marchDistance(line, line.lower) < 0.0;
+    inside = meets && line.lower > line.enter && marchDistance(line, line.lower) < 0.0;
     return meets;
 }
 
