@@ -19,8 +19,8 @@ struct torus_Line {
     vec3 footLow;          // what the rounding of foot took away: foot + footLow is right to 2^-40 or so
     vec3 direction;        // as given, scaled by a power of two: its longest component is in [1, 2)
     float length2;         // its squared length
-    float enter;           // where the line can be in the torus: in its bounding sphere and between z = -r and z = r.
-    float leave;           //   Outside the torus at both ends
+    float enter;           // where the line can be in the torus: in its bounding sphere and, once cut, between
+    float leave;           //   z = -r and z = r. Outside the torus at both ends
     float lower;           // the searched interval of u: what [tMin, tMax] leaves of that
     float upper;
     float halfChord;       // the bounding sphere spans [-halfChord, halfChord]
@@ -95,12 +95,6 @@ bool torus_reduce(float majorRadius, float minorRadius, vec3 origin, float tMin,
     TORUS_PRECISE float foot2 = foot.x * foot.x + foot.y * foot.y + foot.z * foot.z;
     TORUS_PRECISE float halfChord2 = outer * outer * TORUS_SPHERE_ROOM - foot2;
     TORUS_PRECISE float halfChord = sqrt(max(halfChord2, 0.0) * perDd);
-    // Between the planes z = -r and z = r.
-    TORUS_PRECISE float perDz = 1.0 / max(abs(d.z), 1.0e-30);
-    TORUS_PRECISE float footZ = d.z < 0.0 ? -foot.z : foot.z;
-    TORUS_PRECISE float slab = r + TORUS_ROOM;
-    TORUS_PRECISE float enter = max((-slab - footZ) * perDz, -halfChord);
-    TORUS_PRECISE float leave = min((slab - footZ) * perDz, halfChord);
 
     // Both are powers of two: no bit of t is lost on the way.
     TORUS_PRECISE float tScale = unit * perDirectionUnit;
@@ -119,22 +113,38 @@ bool torus_reduce(float majorRadius, float minorRadius, vec3 origin, float tMin,
     // Infinite ends are legal; beyond the sphere every end is alike.
     TORUS_PRECISE float lower = ((max(tMin, -TORUS_FLOAT_MAX) - line.footT) - line.footTLow) * uPerT;
     TORUS_PRECISE float upper = ((min(tMax, TORUS_FLOAT_MAX) - line.footT) - line.footTLow) * uPerT;
-    lower = max(lower, enter);
-    upper = min(upper, leave);
+    line.enter = -halfChord;
+    line.leave = halfChord;
+    line.lower = max(lower, -halfChord);
+    line.upper = min(upper, halfChord);
+    return halfChord2 > 0.0 && line.lower <= line.upper;
+}
+
+// Cuts the searched interval by the planes z = -r and z = r. Returns false where nothing is left of it, or all of it is
+// in the hole.
+bool torus_cut(inout torus_Line line) {
+    TORUS_PRECISE vec3 d = line.direction;
+    TORUS_PRECISE float perDz = 1.0 / max(abs(d.z), 1.0e-30);
+    TORUS_PRECISE float footZ = d.z < 0.0 ? -line.foot.z : line.foot.z;
+    TORUS_PRECISE float slab = line.minorRadius + TORUS_ROOM;
+    TORUS_PRECISE float enter = max((-slab - footZ) * perDz, line.enter);
+    TORUS_PRECISE float leave = min((slab - footZ) * perDz, line.leave);
+    TORUS_PRECISE float lower = max(line.lower, enter);
+    TORUS_PRECISE float upper = min(line.upper, leave);
     line.enter = enter;
     line.leave = leave;
     line.lower = lower;
     line.upper = upper;
     // rho is convex: where both ends are in the hole, so is all between.
-    TORUS_PRECISE float lowerX = foot.x + lower * d.x;
-    TORUS_PRECISE float lowerY = foot.y + lower * d.y;
-    TORUS_PRECISE float upperX = foot.x + upper * d.x;
-    TORUS_PRECISE float upperY = foot.y + upper * d.y;
+    TORUS_PRECISE float lowerX = line.foot.x + lower * d.x;
+    TORUS_PRECISE float lowerY = line.foot.y + lower * d.y;
+    TORUS_PRECISE float upperX = line.foot.x + upper * d.x;
+    TORUS_PRECISE float upperY = line.foot.y + upper * d.y;
     TORUS_PRECISE float lowerRho2 = lowerX * lowerX + lowerY * lowerY;
     TORUS_PRECISE float upperRho2 = upperX * upperX + upperY * upperY;
-    TORUS_PRECISE float hole = max(R - slab, 0.0);
+    TORUS_PRECISE float hole = max(line.majorRadius - slab, 0.0);
     TORUS_PRECISE float hole2 = hole * hole;
-    return halfChord2 > 0.0 && lower <= upper && max(lowerRho2, upperRho2) >= hole2;
+    return lower <= upper && max(lowerRho2, upperRho2) >= hole2;
 }
 
 #endif

@@ -112,7 +112,7 @@ TorusHit torus_miss(float tMax) {
 bool torusIntersect(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out TorusHit hit) {
     hit = torus_miss(tMax);
     torus_Line line;
-    if (!torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line)) {
+    if (!torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line) || !torus_cut(line)) {
         return false;
     }
     float u = 0.0;
@@ -135,7 +135,7 @@ bool torusIntersect(Torus torus, vec3 origin, float tMin, vec3 direction, float 
 // torus, origin, tMin, direction, tMax   as for torusIntersect
 bool torusOccluded(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax) {
     torus_Line line;
-    if (!torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line)) {
+    if (!torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line) || !torus_cut(line)) {
         return false;
     }
     return torus_crosses(line);
@@ -151,7 +151,7 @@ int torusIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, floa
         hits[i] = torus_miss(tMax);
     }
     torus_Line line;
-    if (!torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line)) {
+    if (!torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line) || !torus_cut(line)) {
         return 0;
     }
     float first;

@@ -76,7 +76,7 @@ bool quarticBetween(torus_Line line, QUARTIC_STATE state, bool inside) {
 bool QUARTIC_INTERSECT(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out TorusHit hit) {
     hit = torus_miss(tMax);
     torus_Line line;
-    if (!torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line)) {
+    if (!torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line) || !torus_cut(line)) {
         return false;
     }
     QUARTIC_STATE state = QUARTIC_PREPARE(line);
@@ -99,7 +99,7 @@ bool QUARTIC_INTERSECT(Torus torus, vec3 origin, float tMin, vec3 direction, flo
 // Ends on different sides, or a crossing between them.
 bool QUARTIC_OCCLUDED(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax) {
     torus_Line line;
-    if (!torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line)) {
+    if (!torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line) || !torus_cut(line)) {
         return false;
     }
     QUARTIC_STATE state = QUARTIC_PREPARE(line);
@@ -115,7 +115,7 @@ int QUARTIC_INTERSECT_ALL(Torus torus, vec3 origin, float tMin, vec3 direction, 
         hits[i] = torus_miss(tMax);
     }
     torus_Line line;
-    if (!torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line)) {
+    if (!torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line) || !torus_cut(line)) {
         return 0;
     }
     QUARTIC_STATE state = QUARTIC_PREPARE(line);
