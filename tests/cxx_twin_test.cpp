@@ -86,6 +86,12 @@ std::vector<Case> cases() {
     for (const float minorRadius : minorRadii) {
         for (const double distance : {1.5, 3.0, 100.0, 1e4, 1e6}) {
             for (const RayClass rayClass : reference::allRayClasses) {
+                // A ray aimed at a horn's tip may be 1e-12 r from a tangent there and hit 1e-12 R beside it: whether
+                // denormals are flushed decides then (docs/testing.md).
+                const bool atAxis = rayClass == RayClass::throughCentre || rayClass == RayClass::throughAxis;
+                if (minorRadius == 1.0F && atAxis) {
+                    continue;
+                }
                 reference::RayParameters parameters;
                 parameters.torus = {1.0F, minorRadius};
                 parameters.distance = distance;
@@ -249,11 +255,6 @@ TEST(CxxTwinAlone, FlushingDenormalsChangesNoBit) {
     Differences differences;
     for (const Case& c : cases()) {
         const auto [majorRadius, minorRadius] = c.torus;
-        // A ray aimed at a horn's tip may be 1e-12 r from a tangent there, where flushing decides
-        // (docs/testing.md).
-        if (minorRadius == majorRadius && c.name.starts_with("through")) {
-            continue;
-        }
         for (const TraceRay& ray : c.rays) {
             const render::NearestHit nearest = test::cxxNearest(majorRadius, minorRadius, ray);
             const render::AllHits all = test::cxxAll(majorRadius, minorRadius, ray);
