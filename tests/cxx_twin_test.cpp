@@ -86,8 +86,8 @@ std::vector<Case> cases() {
     for (const float minorRadius : minorRadii) {
         for (const double distance : {1.5, 3.0, 100.0, 1e4, 1e6}) {
             for (const RayClass rayClass : reference::allRayClasses) {
-                // A ray aimed at a horn's tip may be 1e-12 r from a tangent there and hit 1e-12 R beside it: whether
-                // denormals are flushed decides then (docs/testing.md).
+                // A ray aimed at a horn's tip may be 1e-12 r from a tangent there and hit 1e-12 R beside it:
+                // whether denormals are flushed decides then (docs/testing.md).
                 const bool atAxis = rayClass == RayClass::throughCentre || rayClass == RayClass::throughAxis;
                 if (minorRadius == 1.0F && atAxis) {
                     continue;
