@@ -277,5 +277,30 @@ TEST(CxxTwinAlone, FlushingDenormalsChangesNoBit) {
 }
 #endif
 
+// a^2 + b^2 - c^2 is right to 2^-45 c^2 wherever the first two nearly make up the third: also where both are
+// just below half of it, and no difference of two of them is exact.
+TEST(CxxTwinAlone, SquareDifferenceKeepsWhatCancels) {
+    std::mt19937 random(static_cast<unsigned>(test::freshSeed()));
+    std::uniform_real_distribution<double> turn(0.0, M_PI / 2);
+    std::uniform_real_distribution<double> size(1.0, 2.0);
+    std::uniform_real_distribution<double> off(-1e-6, 1e-6);
+    for (int i = 0; i < 200000; ++i) {
+        const double angle = i % 2 == 0 ? turn(random) : M_PI / 4 + off(random);
+        // Half of c^2 near a power of two: what is just below has one more digit than what is just above.
+        const auto c = static_cast<float>(i % 4 == 3 ? 1 + off(random) : size(random));
+        const auto a = static_cast<float>(static_cast<double>(c) * std::cos(angle) * (1 + off(random)));
+        const auto b = static_cast<float>(static_cast<double>(c) * std::sin(angle) * (1 + off(random)));
+        const auto square = [](float x) { return static_cast<double>(x) * static_cast<double>(x); };
+        // Squares of floats are doubles without rounding; so is the difference of two that are within a
+        // factor of 2.
+        const double larger = std::max(square(a), square(b)) - square(c);
+        const double exact = larger + std::min(square(a), square(b));
+        const double found = static_cast<double>(test::cxxSquareDifference(a, b, c));
+        // The result's own rounding, and some roundings of what the squares' roundings add up to.
+        ASSERT_NEAR(found, exact, std::abs(exact) * 0x1p-23 + square(c) * 0x1p-45)
+            << fmt::format("{:a} {:a} {:a}", a, b, c);
+    }
+}
+
 }  // namespace
 }  // namespace raytorus

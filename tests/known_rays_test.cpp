@@ -102,7 +102,39 @@ INSTANTIATE_TEST_SUITE_P(
               113.2F,
               {{160.371250F, -6.351337F, -0.000241F}, 0, {0.852793F, -0.522249F, -0.000020F}, infinity},
               {103.849236905981768},
-              4e-5}),
+              4e-5},
+        // Along a thin tube, 5e-5 r from a tangent: two dips, and a maximum between them that float32 takes
+        // for a root.
+        Known{"alongAThinTube",
+              1,
+              0x1.0624dep-10F,
+              {{0x1.4a7088p-1F, 0x1.8aa742p+1F, -0x1.ddbdd8p-8F},
+               0,
+               {-0x1.0284b4p-1F, -0x1.b9f07p-1F, 0x1.693412p-9F},
+               infinity},
+              {2.9459296205901722, 3.0031868681824414},
+              ulps},
+        // Out of a tube of 1e-4 R almost along its wall: 2e-8 further for 6e-15 of the tube function.
+        Known{"insideAThinTube",
+              1,
+              0x1.a36e2ep-14F,
+              {{-0x1.237172p-2F, -0x1.ead826p-1F, -0x1.8438cap-14F},
+               0,
+               {-0x1.eb78a8p-1F, 0x1.1f0da4p-2F, 0x1.bf797cp-12F},
+               infinity},
+              {0.00047562831721146897},
+              1e-10},  // the library's is 1e-12 off
+        // In a narrow hole, where the tube's bend along the ray is sharp: the closer the hit, the more digits
+        // t has.
+        Known{"closeInTheHole",
+              1,
+              0x1.dc28f6p-1F,
+              {{-0x1.04e43p-6F, 0x1.55eebep-7F, -0x1.9762e4p-5F},
+               0,
+               {-0x1.947554p-1F, -0x1.da1b3cp-2F, -0x1.9ba58cp-2F},
+               0.1F},
+              {0.068521071596938168},
+              0.75 * 0x1p-27}),  // an ulp is 2^-27
     [](const auto& row) { return std::string(row.param.name); });
 
 }  // namespace

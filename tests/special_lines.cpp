@@ -168,6 +168,26 @@ std::vector<SpecialLines> haveHitsManyDecadesApartOrInOneFloat() {
     return lines;
 }
 
+// Within 5e-5 r of a tangent: two dips with a maximum between them that float32 cannot tell from a root, and
+// dips and gaps that it cannot tell from none. Without neighbours: of those nearer to the tangent no answer
+// is promised.
+std::vector<SpecialLines> runAlongThinTubes() {
+    std::vector<Ray> rays;
+    for (const float x : {0x1.4a7088p-1F, 0x1.4a7089p-1F, 0x1.4a708ap-1F, 0x1.4a7086p-1F, 0x1.4a7084p-1F}) {
+        rays.push_back(
+            along({x, 0x1.8aa742p+1F, -0x1.ddbdd8p-8F}, {-0x1.0284b4p-1F, -0x1.b9f07p-1F, 0x1.693412p-9F}));
+    }
+    rays.push_back(along({0x1.8cfae2p+5F, 0x1.5b3d6ep+6F, -0x1.193072p-2F},
+                         {-0x1.0284b4p-1F, -0x1.b9f07p-1F, 0x1.693412p-9F}));
+    rays.push_back(along({0x1.6d05aap+1F, 0x1.10736ep+1F, 0x1.8e98fcp+0F},
+                         {-0x1.67e168p-1F, -0x1.f25f9cp-2F, -0x1.09960ep-1F}));
+    rays.push_back(along({0x1.cfee7p+0F, -0x1.eec824p+0F, -0x1.12e528p+1F},
+                         {-0x1.3ff0bap-1F, 0x1.3eb8b8p-2F, 0x1.6e966p-1F}));
+    rays.push_back(along({-0x1.556b5ap-1F, 0x1.ecfae4p+1F, -0x1.3a8ee2p-1F},
+                         {0x1.9a061ap-4F, -0x1.f28e5p-1F, 0x1.a2be64p-3F}));
+    return {{{1, 0x1.0624dep-10F}, rays}};
+}
+
 std::span<const SpecialLinesOf> allSpecialLines() {
     static constexpr std::array all = {
         SpecialLinesOf{"lines that touch the equators", touchTheEquators},
@@ -178,6 +198,7 @@ std::span<const SpecialLinesOf> allSpecialLines() {
         SpecialLinesOf{"lines that meet the dimples of a spindle", meetTheDimplesOfASpindle},
         SpecialLinesOf{"lines that have hits many decades apart or in one float",
                        haveHitsManyDecadesApartOrInOneFloat},
+        SpecialLinesOf{"lines that run along thin tubes", runAlongThinTubes},
     };
     return all;
 }

@@ -50,5 +50,9 @@ TEST_F(LinesInSpecialPositions, HaveHitsManyDecadesApartOrInOneFloat) {
     expectRight(haveHitsManyDecadesApartOrInOneFloat());
 }
 
+TEST_F(LinesInSpecialPositions, RunAlongThinTubes) {
+    expectRight(runAlongThinTubes());
+}
+
 }  // namespace
 }  // namespace raytorus::test

@@ -79,4 +79,8 @@ SurfaceAnswer cxxSurface(const SurfacePoint& point) {
     return answer;
 }
 
+float cxxSquareDifference(float a, float b, float c) {
+    return torus_cxx::torus_squareDifference(a, b, c);
+}
+
 }  // namespace raytorus::test

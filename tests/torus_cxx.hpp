@@ -11,5 +11,6 @@ render::NearestHit cxxNearest(float majorRadius, float minorRadius, const render
 render::AllHits cxxAll(float majorRadius, float minorRadius, const render::TraceRay& ray);
 float cxxAny(float majorRadius, float minorRadius, const render::TraceRay& ray);
 SurfaceAnswer cxxSurface(const SurfacePoint& point);
+float cxxSquareDifference(float a, float b, float c);  ///< a^2 + b^2 - c^2 as the library's last step has it
 
 }  // namespace raytorus::test

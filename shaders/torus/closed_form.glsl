@@ -96,7 +96,7 @@ bool torusReduceRay(Torus torus, vec3 origin, vec3 direction, out TorusReducedRa
     torus_Line line;
     bool meets = torus_reduce(torus.majorRadius, torus.minorRadius, origin, -TORUS_FLOAT_MAX, direction,
                               TORUS_FLOAT_MAX, line);
-    TORUS_PRECISE float shift = line.footT + line.footTLow;
+    TORUS_PRECISE float shift = (line.baseShift + line.shift) * line.tPerU;
     TORUS_PRECISE float widest = TORUS_CLOSED_FORM_WIDEST * line.majorRadius;
     if (!(meets && line.minorRadius <= widest)) {
         ray = TorusReducedRay(vec3(0.0, 0.0, 0.0), vec3(0.0, 0.0, 0.0), 0.0, 0.0, 0.0);

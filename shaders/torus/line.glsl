@@ -11,12 +11,16 @@
 #define TORUS_ON_STEP
 #endif
 
-// The points foot + footLow + u * direction. One unit is the power of two at or below R + r, so R + r is in [1, 2).
+// The points base + baseLow + (shift + u) * direction. One unit is the power of two at or below R + r, so
+// R + r is in [1, 2).
 struct torus_Line {
     float majorRadius;     // R in units
     float minorRadius;     // r in units
-    vec3 foot;             // the point of the line closest to the centre
-    vec3 footLow;          // what the rounding of foot took away: foot + footLow is right to 2^-40 or so
+    vec3 foot;             // the point u = 0, which is closest to the centre, to some 3e-7
+    vec3 base;             // the origin, in units; or a point near the foot ...
+    vec3 baseLow;          // ... and what its rounding took away
+    float baseShift;       // from the origin to the base, in lengths of `direction`
+    float shift;           // from the base to the foot
     vec3 direction;        // as given, scaled by a power of two: its longest component is in [1, 2)
     float length2;         // its squared length
     float enter;           // where the line can be in the torus: in its bounding sphere and, once cut, between
@@ -24,9 +28,7 @@ struct torus_Line {
     float lower;           // the searched interval of u: what [tMin, tMax] leaves of that
     float upper;
     float halfChord;       // the bounding sphere spans [-halfChord, halfChord]
-    float footT;           // t of the foot is footT + footTLow ...
-    float footTLow;        //
-    float tPerU;           // ... and t = footT + footTLow + u * tPerU
+    float tPerU;           // t = (baseShift + shift + u) * tPerU
     float unit;            // length of one unit
 };
 
@@ -37,14 +39,21 @@ struct torus_Line {
 // Room around what a ray is tested against before anything of it is known exactly, in units: some ten roundings.
 #define TORUS_ROOM 2.0e-6
 
-// origin + factor * direction, each component as in torus_advance.
-vec3 torus_advance3(vec3 base, float factor, vec3 direction, out vec3 low) {
+// An origin with a coordinate beyond this, in units, is far away.
+#define TORUS_AFAR 8.0
+
+// A ring whose hole is as small as this leaves has no tip: nearer to a horn, whose sheets meet, the exact solver does all.
+#define TORUS_RING 0.9375
+
+// base + baseLow + (factor + factorLow) * direction, each component as in torus_advance.
+vec3 torus_advance3(vec3 base, vec3 baseLow, float factor, float factorLow, vec3 direction, out vec3 low) {
+    TORUS_PRECISE vec3 little = baseLow + factorLow * direction;
     float lowX;
     float lowY;
     float lowZ;
-    float x = torus_advance(base.x, factor, direction.x, lowX);
-    float y = torus_advance(base.y, factor, direction.y, lowY);
-    float z = torus_advance(base.z, factor, direction.z, lowZ);
+    float x = torus_advance(base.x, factor, direction.x, little.x, lowX);
+    float y = torus_advance(base.y, factor, direction.y, little.y, lowY);
+    float z = torus_advance(base.z, factor, direction.z, little.z, lowZ);
     low = vec3(lowX, lowY, lowZ);
     return vec3(x, y, z);
 }
@@ -85,12 +94,24 @@ bool torus_reduce(float majorRadius, float minorRadius, vec3 origin, float tMin,
     if (!(valid && tMin <= tMax && rough2 <= around2)) {
         return false;
     }
-    vec3 firstLow;
-    vec3 first = torus_advance3(o, firstShift, d, firstLow);
+    // The rounding of that is more than the search can do with from afar, and at the tips of horns and spindles.
+    vec3 base = o;
+    vec3 baseLow = vec3(0.0, 0.0, 0.0);
+    TORUS_PRECISE float baseShift = 0.0;
+    vec3 first = rough;
+    TORUS_PRECISE float ring = TORUS_RING * R;
+    bool delicate = max(max(abs(o.x), abs(o.y)), abs(o.z)) > TORUS_AFAR || r > ring;
+    if (delicate) {
+        first = torus_advance3(o, vec3(0.0, 0.0, 0.0), firstShift, 0.0, d, baseLow);
+        base = first;
+        baseShift = firstShift;
+    }
     TORUS_PRECISE float secondShift = -(first.x * d.x + first.y * d.y + first.z * d.z) * perDd;
-    vec3 secondLow;
-    vec3 foot = torus_advance3(first, secondShift, d, secondLow);
-    TORUS_PRECISE vec3 footLow = firstLow + secondLow;
+    TORUS_PRECISE vec3 foot = (first + secondShift * d) + baseLow;
+    // Of a point that is but rounded to the foot the line's own u = 0 lies some 3e-7 before or behind: nothing rests on
+    // that, as long as all of t, and the ends, are counted from there.
+    TORUS_PRECISE float bothShifts = firstShift + secondShift;
+    TORUS_PRECISE float shift = delicate ? secondShift : bothShifts;
 
     TORUS_PRECISE float foot2 = foot.x * foot.x + foot.y * foot.y + foot.z * foot.z;
     TORUS_PRECISE float halfChord2 = outer * outer * TORUS_SPHERE_ROOM - foot2;
@@ -104,15 +125,18 @@ bool torus_reduce(float majorRadius, float minorRadius, vec3 origin, float tMin,
     line.foot = foot;
     line.direction = d;
     line.length2 = dd;
-    line.footLow = footLow;
+    line.base = base;
+    line.baseLow = baseLow;
+    line.baseShift = baseShift;
+    line.shift = shift;
     line.unit = unit;
     line.halfChord = halfChord;
-    line.footT = firstShift * tScale;
-    line.footTLow = secondShift * tScale;
     line.tPerU = tScale;
     // Infinite ends are legal; beyond the sphere every end is alike.
-    TORUS_PRECISE float lower = ((max(tMin, -TORUS_FLOAT_MAX) - line.footT) - line.footTLow) * uPerT;
-    TORUS_PRECISE float upper = ((min(tMax, TORUS_FLOAT_MAX) - line.footT) - line.footTLow) * uPerT;
+    TORUS_PRECISE float baseT = baseShift * tScale;
+    TORUS_PRECISE float footT = shift * tScale;
+    TORUS_PRECISE float lower = ((max(tMin, -TORUS_FLOAT_MAX) - baseT) - footT) * uPerT;
+    TORUS_PRECISE float upper = ((min(tMax, TORUS_FLOAT_MAX) - baseT) - footT) * uPerT;
     line.enter = -halfChord;
     line.leave = halfChord;
     line.lower = max(lower, -halfChord);

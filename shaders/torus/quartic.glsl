@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Private: a filter before the exact solver. It finds the first crossing of nearly every ray that starts outside a ring,
-// or proves that there is none, with a tenth of the work, and says of every other ray that it does not know.
+// Private: a filter before the exact solver. It finds the crossings of nearly every ray that starts outside a ring, or
+// proves that there are none, with a tenth of the work, and says of every other ray that it does not know.
 //
 // A point p of the torus has |p|^2 - R^2 - r^2 = +-2 R sqrt(r^2 - z^2). Along the line, where |p|^2 = dd u^2 + |foot|^2,
 // that is a zero of
 //
-//     f(u) = a^2 + 4 R^2 (z - r) (z + r),    a = dd u^2 + k,    k = |foot|^2 - R^2 - r^2    (math.md, eq. 28)
+//     f(u) = a^2 + (b - b_r)(b + b_r),    a = u^2 + k,    k = (|foot|^2 - R^2 - r^2) / dd,
+//     b = 2 R z / dd,    b_r = 2 R r / dd                                              (math.md, eq. 28)
 //
 // which is negative inside a ring, has no root in it, and loses no thin tube to its coefficients: near the surface both
 // terms are of the size of R^2 r^2.
@@ -13,98 +14,197 @@
 // f'' is zero at -w and w: f is convex left of -w, concave between them, convex right of w. Newton's method cannot pass
 // a root where f and f'' have the same sign, and where it meets a slope of the other sign, there is none ahead. So the
 // first way into the solid is either left of -w and found from the left end, or found from w: to the left, in the middle
-// piece, if f(w) < 0, and to the right if not.
+// piece, if f(w) < 0, and to the right if not. The last ways out of it are the same on the mirrored line.
 #ifndef TORUS_QUARTIC_GLSL
 #define TORUS_QUARTIC_GLSL
 
 #include "line.glsl"
 
-// A hole as small as this part of R and no tip: nearer to a horn, whose sheets meet, the exact solver does it all.
-#define TORUS_RING 0.9375
-// Steps of the filter. More are needed near tangents and in the thinnest tubes alone, which it leaves to others.
-#define TORUS_FILTER_STEPS 24
-// A crossing is near enough when a step is shorter than this part of r: Newton has squared the error by then, and the
-// exact last step (torus_hit) cubes it.
-#define TORUS_FILTER_STEP 0.0009765625
+// Steps of a search. More are needed near tangents and in the thinnest tubes alone, which it leaves to others; of a loop
+// as short as this, compilers make no loop.
+#define TORUS_SEARCH_STEPS 8
+// A crossing is near enough when Newton's next error is less than this part of r: the exact last step (torus_hit) cubes
+// it.
+#define TORUS_SEARCH_ERROR 0.0009765625
 // Up to this, in R r (R + r)^2, rounding can have turned the sign of an extremum of f: four times what some ten
-// roundings of a and of z can make of f near the surface. Clear is what is as many times further away.
+// roundings of a, of z and of the foot usually make of f near the surface. Clear is what is as many times further away.
 #define TORUS_FILTER_DOUBT 4.0e-6
 #define TORUS_FILTER_CLEAR 8.0
-// The depth of a dip is that of the parabola at its edge, with at least this part of the bend of 4 dd R^2 that f has
-// in the tube: where f is flat, a small slope says nothing.
+// f bends by at least this part of the 4 R^2 / dd that it bends by in the tube: where it is flat, a small slope says
+// nothing of a dip's depth, and a small bend nothing of the next error.
 #define TORUS_FILTER_FLAT 0.0625
+// The slope where nothing has been seen of f yet.
+#define TORUS_UNSEEN 1.0e30
 
-// Whether there is a first crossing, and where, if `known`; else anything.
-bool torus_filter(torus_Line line, out float crossing, out bool known) {
+struct torus_Quartic {
+    float k;
+    float b0;          // b = b0 + u b1
+    float b1;
+    float edge;
+    float inflection;  // w; 0 where f is convex everywhere
+    float bend;        // f'' = 12 u^2 + 4 bend
+    float leastBend;
+    float clear;       // an extremum of f further from 0 than this has its sign
+    float enough;      // error of a crossing
+};
+
+torus_Quartic torus_quartic(torus_Line line) {
     TORUS_PRECISE float R = line.majorRadius;
     TORUS_PRECISE float r = line.minorRadius;
-    TORUS_PRECISE float dd = line.length2;
     TORUS_PRECISE vec3 foot = line.foot;
-    TORUS_PRECISE float dz = line.direction.z;
-    TORUS_PRECISE float k = foot.x * foot.x + foot.y * foot.y + foot.z * foot.z - R * R - r * r;
-    TORUS_PRECISE float fourR2 = 4.0 * R * R;
-    TORUS_PRECISE float twoDd = 2.0 * dd;
-    TORUS_PRECISE float fourDz = fourR2 * dz;
-    TORUS_PRECISE float bend = dd * k + 0.5 * fourDz * dz;
-    TORUS_PRECISE float w = sqrt(max(bend * (-1.0 / 3.0), 0.0)) / dd;
-    TORUS_PRECISE float enough = TORUS_FILTER_STEP * r;
-    TORUS_PRECISE float size = R + r;
-    TORUS_PRECISE float doubt = TORUS_FILTER_DOUBT * R * r * size * size;
-    TORUS_PRECISE float clear = TORUS_FILTER_CLEAR * doubt;
-    bool starts = line.lower > line.enter;
-    bool second = line.lower >= -w;
-    TORUS_PRECISE float u = second ? max(w, line.lower) : line.lower;
-    TORUS_PRECISE float a = 0.0;
+    TORUS_PRECISE float perDd = 1.0 / line.length2;
+    TORUS_PRECISE float k = (foot.x * foot.x + foot.y * foot.y + foot.z * foot.z - R * R - r * r) * perDd;
+    TORUS_PRECISE float twoR = 2.0 * R * perDd;
+    TORUS_PRECISE float b0 = twoR * foot.z;
+    TORUS_PRECISE float b1 = twoR * line.direction.z;
+    TORUS_PRECISE float edge = twoR * r;
+    TORUS_PRECISE float bend = k + 0.5 * b1 * b1;
+    TORUS_PRECISE float inflection = sqrt(max(bend * (-1.0 / 3.0), 0.0));
+    TORUS_PRECISE float leastBend = TORUS_FILTER_FLAT * line.length2 * twoR * twoR;
+    TORUS_PRECISE float size = (R + r) * perDd;
+    TORUS_PRECISE float clear = TORUS_FILTER_CLEAR * TORUS_FILTER_DOUBT * R * r * size * size;
+    TORUS_PRECISE float enough = TORUS_SEARCH_ERROR * r;
+    return torus_Quartic(k, b0, b1, edge, inflection, bend, leastBend, clear, enough);
+}
+
+float torus_quarticAt(torus_Quartic quartic, float b1, float u) {
+    TORUS_PRECISE float a = u * u + quartic.k;
+    TORUS_PRECISE float b = quartic.b0 + u * b1;
+    TORUS_PRECISE float f = a * a + (b - quartic.edge) * (b + quartic.edge);
+    return f;
+}
+
+// Whether the line starts in what the filter knows: clearly outside a ring.
+bool torus_startsClear(torus_Line line, torus_Quartic quartic) {
+    TORUS_PRECISE float ring = TORUS_RING * line.majorRadius;
+    return line.minorRadius <= ring &&
+           (line.lower <= line.enter || torus_quarticAt(quartic, quartic.b1, line.lower) > quartic.clear);
+}
+
+// A way into the solid, if it is `known` whether there is one.
+struct torus_Way {
+    bool known;
+    bool found;
+    float u;
+    bool early;  // not from w
+};
+
+// The first way in from `from` on, where the line is outside. `later`: only of those found from w. If not `both`, either
+// of those or of the others, but not of both. Costs nothing unless `wanted`.
+torus_Way torus_search(torus_Quartic quartic, bool mirrored, float from, bool later, bool both, bool wanted) {
+    TORUS_PRECISE float w = quartic.inflection;
+    TORUS_PRECISE float b1 = mirrored ? -quartic.b1 : quartic.b1;
+    TORUS_PRECISE float twoB1 = 2.0 * b1;
+    TORUS_PRECISE float middle = max(w, from);
+    TORUS_PRECISE float atMiddle = torus_quarticAt(quartic, b1, middle);
+    // From w to the left, or to the right, or unclear.
+    TORUS_PRECISE float laterSide = atMiddle < 0.0 ? -1.0 : 0.0;
+    bool laterKnown = abs(atMiddle) > quartic.clear;
+    TORUS_PRECISE float u = later ? middle : from;
+    // A search has left its piece where this times u + w is positive.
+    TORUS_PRECISE float side = later ? laterSide : 1.0;
+    TORUS_PRECISE float before = TORUS_UNSEEN;
     TORUS_PRECISE float f = 0.0;
-    TORUS_PRECISE float halfSlope = 0.0;
-    TORUS_PRECISE float before = 0.0;
-    TORUS_PRECISE float ring = TORUS_RING * R;
-    bool sure = r <= ring;
-    bool back = false;
-    bool fresh = true;
-    bool there = false;
-    bool busy = sure;
-    if (starts) {
-        // Outside, and clearly so.
-        TORUS_PRECISE float startA = dd * line.lower * line.lower + k;
-        TORUS_PRECISE float startZ = foot.z + line.lower * dz;
-        TORUS_PRECISE float start = startA * startA + fourR2 * ((startZ - r) * (startZ + r));
-        sure = sure && start > clear;
-        busy = sure;
-    }
-    for (int i = 0; i < TORUS_FILTER_STEPS && busy; ++i) {
+    TORUS_PRECISE float slope = 0.0;
+    TORUS_PRECISE float halfBend = 0.0;
+    bool early = !later;
+    bool found = false;
+    bool known = wanted && (!later || laterKnown);
+    bool busy = known;
+    for (int i = 0; i < TORUS_SEARCH_STEPS && busy; ++i) {
         TORUS_ON_STEP
-        a = dd * u * u + k;
-        TORUS_PRECISE float z = foot.z + u * dz;
-        f = a * a + fourR2 * ((z - r) * (z + r));
-        halfSlope = twoDd * u * a + fourDz * z;
-        back = second && (fresh ? f < 0.0 : back);
-        TORUS_PRECISE float step = -0.5 * f / halfSlope;
-        bool past = halfSlope >= 0.0 || (second ? back && u <= -w : u >= -w);
-        there = !past && abs(step) <= enough;
-        // The tangents before and behind a minimum meet below it. Where a search begins, nothing is below it.
+        TORUS_PRECISE float a = u * u + quartic.k;
+        TORUS_PRECISE float b = quartic.b0 + u * b1;
+        TORUS_PRECISE float fourU = 4.0 * u;
+        f = a * a + (b - quartic.edge) * (b + quartic.edge);
+        slope = fourU * a + twoB1 * b;
+        halfBend = 2.0 * quartic.bend + 1.5 * fourU * u;
+        TORUS_PRECISE float step = f / slope;
+        TORUS_PRECISE float beyond = side * (u + w);
+        bool past = slope >= 0.0 || beyond > 0.0;
+        TORUS_PRECISE float error = step * step * (abs(halfBend) + quartic.leastBend);
+        TORUS_PRECISE float enough = quartic.enough * abs(slope);
+        found = !past && error <= enough;
+        // The tangents before and behind an extremum meet beyond it.
         TORUS_PRECISE float met = abs(f * before);
-        TORUS_PRECISE float below = clear * (abs(before) + abs(halfSlope));
-        bool touches = met <= below;
-        sure = !(past && touches && !fresh) && !(second && fresh && abs(f) <= clear) && !(past && back);
-        bool restart = past && !second;
-        busy = sure && !there && (!past || restart);
-        fresh = restart;
-        before = halfSlope;
-        second = second || restart;
-        TORUS_PRECISE float next = past ? u : u + step;
-        u = restart ? max(w, line.lower) : next;
+        TORUS_PRECISE float least = quartic.clear * (abs(before) + abs(slope));
+        bool again = past && !later && both;
+        // A start outside and f(w) < 0 have a way in between.
+        bool odd = both && side < 0.0;
+        known = !past || (met > least && !odd && (laterKnown || !again));
+        busy = known && !found && (!past || again);
+        TORUS_PRECISE float next = u - step;
+        u = past ? middle : next;
+        before = past ? TORUS_UNSEEN : slope;
+        side = past ? laterSide : side;
+        later = later || past;
+        early = early && !past;
     }
-    TORUS_PRECISE float halfBend = twoDd * (a + twoDd * u * u) + fourDz * dz;
-    TORUS_PRECISE float depth = halfSlope * halfSlope - f * halfBend;
-    TORUS_PRECISE float doubtful = clear * (abs(halfBend) + TORUS_FILTER_FLAT * dd * fourR2);
-    bool deep = depth > doubtful;
-    // A crossing near the ray's own end is for the exact step to compare.
-    TORUS_PRECISE float left = line.upper - u;
-    bool ends = line.upper < line.leave && abs(left) <= r;
-    known = sure && !busy && (!there || (deep && !ends));
-    crossing = u;
-    return there && u <= line.upper;
+    // The depth of a dip is that of the parabola at its edge.
+    TORUS_PRECISE float depth = 0.25 * slope * slope - f * halfBend;
+    TORUS_PRECISE float shallow = quartic.clear * (abs(halfBend) + quartic.leastBend);
+    known = known && !busy && (!found || depth > shallow);
+    return torus_Way(known, found, u, early);
+}
+
+// The first way in of an interval that starts outside.
+torus_Way torus_firstWay(torus_Line line) {
+    torus_Quartic quartic = torus_quartic(line);
+    bool later = line.lower >= -quartic.inflection;
+    return torus_search(quartic, false, line.lower, later, true, torus_startsClear(line, quartic));
+}
+
+// All crossings from line.lower to the line's end, in ascending order in, out, in, out.
+struct torus_Ways {
+    bool known;
+    int count;     // 0, 2 or 4
+    float first;
+    float second;  // ... and so on, as far as they count
+    float third;
+    float fourth;
+    bool enters;   // whether there is a `first`, as torus_firstWay finds it, even if not all are known
+};
+
+torus_Ways torus_allWays(torus_Line line) {
+    torus_Quartic quartic = torus_quartic(line);
+    TORUS_PRECISE float w = quartic.inflection;
+    TORUS_PRECISE float end = -line.leave;
+    bool known = torus_startsClear(line, quartic);
+    torus_Way none = torus_Way(true, false, 0.0, false);
+    torus_Way wayIn = none;
+    torus_Way wayOut = none;
+    torus_Way gapIn = none;
+    torus_Way gapOut = none;
+    // The first way in and the last way out. If neither is found from w, there may be a gap between them, which ends
+    // with a way in and begins with a way out that are.
+    for (int i = 0; i < 4; ++i) {
+        bool back = i == 1 || i == 3;
+        bool both = i < 2;
+        float from = back ? end : line.lower;
+        bool later = !both || from >= -w;
+        bool outer = wayIn.early && wayOut.early;
+        bool needed = i == 0 || (i == 1 && wayIn.found) || (i == 2 && outer) || gapIn.found;
+        torus_Way way = torus_search(quartic, back, from, later, both, known && needed);
+        bool finds = way.known && way.found;
+        known = known && (way.known || !needed);
+        if (i == 0) {
+            wayIn = torus_Way(way.known, finds, way.u, finds && way.early);
+        } else if (i == 1) {
+            wayOut = torus_Way(way.known, finds, -way.u, finds && way.early);
+        } else if (i == 2) {
+            gapIn = torus_Way(way.known, finds, way.u, false);
+        } else {
+            gapOut = torus_Way(way.known, finds, -way.u, false);
+        }
+    }
+    bool four = gapIn.found && gapOut.found;
+    float second = four ? gapOut.u : wayOut.u;
+    float third = four ? gapIn.u : wayOut.u;
+    bool ordered = wayIn.u <= second && second <= third && third <= wayOut.u;
+    bool paired = wayOut.found && gapIn.found == gapOut.found;
+    known = known && (!wayIn.found || (paired && ordered));
+    int count = wayIn.found ? (four ? 4 : 2) : 0;
+    return torus_Ways(known, count, wayIn.u, second, third, wayOut.u, wayIn.found);
 }
 
 #endif

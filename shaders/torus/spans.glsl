@@ -43,14 +43,17 @@ float torus_parabolaRoot(float minimum, float value, float flatness, bool rising
 }
 
 // The crossing `index` of the whole line (0 into, 1 out of the first span; 2 into, 3 out of the second) if it exists.
-// u is near it; torus_hit makes it exact. `rising` says whether it leads out, where G rises.
-bool torus_crossing(torus_Line line, torus_Spans spans, int index, bool wanted, out float u, out bool rising) {
+// u is near it; torus_hit makes it exact. `rising` says whether it leads out, where G rises, `outer` whether the solid
+// has no crossing beyond it.
+bool torus_crossing(torus_Line line, torus_Spans spans, int index, bool wanted, out float u, out bool rising,
+                    out bool outer) {
     bool atFirst = index < 2;
     rising = index == 1 || index == 3;
     bool inner = index == 1 || index == 2;
     bool exists = wanted && (atFirst ? spans.first : spans.second) && !(inner && spans.joined);
     // Between the minima the bracket ends at the maximum if both dip; if one does, nothing else crosses beyond it.
     bool split = inner && spans.first && spans.second;
+    outer = !split;
     float minimum = atFirst ? spans.extrema.firstMinimum : spans.extrema.secondMinimum;
     float value = atFirst ? spans.extrema.firstValue : spans.extrema.secondValue;
     float flatness = atFirst ? spans.extrema.firstFlatness : spans.extrema.secondFlatness;
@@ -61,7 +64,7 @@ bool torus_crossing(torus_Line line, torus_Spans spans, int index, bool wanted, 
 }
 
 // The first crossing in the interval: into the solid if the interval starts outside, else out of it.
-bool torus_exactFirstCrossing(torus_Line line, out float u, out bool rising) {
+bool torus_exactFirstCrossing(torus_Line line, out float u, out bool rising, out bool outer) {
     torus_Spans spans = torus_dips(torus_extrema(line));
     float slope;
     bool inside = torus_tube(line, line.lower, slope) < 0.0;
@@ -71,16 +74,18 @@ bool torus_exactFirstCrossing(torus_Line line, out float u, out bool rising) {
     torus_split(line, inside || !firstAhead, spans);
     bool leavesFirst = spans.first && (!spans.second || (!spans.joined && line.lower < spans.middle));
     int index = inside ? (leavesFirst ? 1 : 3) : (firstAhead ? 0 : 2);
-    return torus_crossing(line, spans, index, inside || firstAhead || secondAhead, u, rising);
+    return torus_crossing(line, spans, index, inside || firstAhead || secondAhead, u, rising, outer);
 }
 
-// The same, by the filter where that knows it.
-bool torus_firstCrossing(torus_Line line, out float u, out bool rising) {
-    bool known;
-    bool crosses = torus_filter(line, u, known);
+// The same, by the filter where that knows it. The crossing may then lie beyond the interval.
+bool torus_firstCrossing(torus_Line line, out float u, out bool rising, out bool outer) {
+    torus_Way way = torus_firstWay(line);
+    bool crosses = way.found;
     rising = false;
-    if (!known) {
-        crosses = torus_exactFirstCrossing(line, u, rising);
+    outer = false;
+    u = way.u;
+    if (!way.known) {
+        crosses = torus_exactFirstCrossing(line, u, rising, outer);
     }
     return crosses;
 }
@@ -101,12 +106,13 @@ bool torus_exactCrosses(torus_Line line) {
     return insideLower != insideUpper || (insideLower ? gapBetween : dipBetween);
 }
 
-// The same, by the filter where that knows it.
+// The same, by the filter where that knows it. Of a crossing near the ray's own end it does not.
 bool torus_crosses(torus_Line line) {
-    float u;
-    bool known;
-    bool crosses = torus_filter(line, u, known);
-    if (!known) {
+    torus_Way way = torus_firstWay(line);
+    TORUS_PRECISE float left = line.upper - way.u;
+    bool ends = line.upper < line.leave && abs(left) <= line.minorRadius;
+    bool crosses = way.found && left >= 0.0;
+    if (!way.known || (way.found && ends)) {
         crosses = torus_exactCrosses(line);
     }
     return crosses;

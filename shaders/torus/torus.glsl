@@ -49,49 +49,60 @@ struct TorusHit {
 #include "circle.glsl"
 #include "spans.glsl"
 
-// Private: the hit on the line near u, where the line leaves the solid if `rising`, else enters it. The root of the
+// Private: the hit on the line near u, where the line leaves the solid if `rising`, else enters it; `outer` if it has no
+// crossing beyond. The root of the
 // parabola that has the tube function's exact value, slope and curvature at u (math.md, eq. 27), kept apart from u,
 // makes position and t right to the rounding of the result, tangents included. Far away several hits can have one t;
 // exactU tells them apart.
-TorusHit torus_hit(torus_Line line, float u, bool rising, float tMin, float tMax, out float exactU) {
-    torus_Point point;
+TorusHit torus_hit(torus_Line line, float u, bool rising, bool outer, float tMin, float tMax, out float exactU) {
     TORUS_PRECISE float at = u;
-    TORUS_PRECISE float step = 0.0;
+    TORUS_PRECISE float shift = 0.0;
+    TORUS_PRECISE float rest = 0.0;
+    TORUS_PRECISE vec3 position = vec3(0.0, 0.0, 0.0);
     bool again = true;
     for (int i = 0; i < TORUS_LAST_STEPS && again; ++i) {
         TORUS_ON_STEP
-        at = at + step;
-        point = torus_exactPoint(line, at);
+        torus_Point point = torus_exactPoint(line, at);
         TORUS_PRECISE float slope = rising ? point.halfSlope : -point.halfSlope;
-        TORUS_PRECISE float rest = slope * slope - point.halfCurvature * point.tube;
-        TORUS_PRECISE float root = sqrt(max(rest, 0.0));
+        TORUS_PRECISE float discriminant = slope * slope - point.halfCurvature * point.tube;
         // Of the parabola's roots the one where it has this crossing's slope, in the form that does not cancel. The
-        // second form crosses an extremum. Where there is no root, it leads to the extremum itself: the line just
-        // misses, and both hits of that tangent are where it comes closest.
-        bool direct = (slope >= 0.0 && rest >= 0.0) || point.halfCurvature == 0.0;
-        TORUS_PRECISE float numerator = direct ? -point.tube : root - slope;
+        // second form crosses an extremum. Where there is no root outside, it leads to the extremum itself: the line just
+        // misses, and both hits of that tangent are where it comes closest. Where there is none ahead inside, at a
+        // maximum between two dips so shallow that the search could not tell them apart, it goes on beyond that.
+        bool goesOn = outer && point.tube < 0.0 && point.halfCurvature < 0.0 && (slope < 0.0 || discriminant < 0.0);
+        TORUS_PRECISE float radicand = goesOn ? abs(discriminant) : max(discriminant, 0.0);
+        TORUS_PRECISE float root = sqrt(radicand);
+        bool direct = (slope >= 0.0 && discriminant >= 0.0) || point.halfCurvature == 0.0;
+        TORUS_PRECISE float across = goesOn ? -root - abs(slope) : root - slope;
+        TORUS_PRECISE float numerator = direct ? -point.tube : across;
         TORUS_PRECISE float denominator = direct ? slope + root : point.halfCurvature;
-        step = denominator != 0.0 ? numerator / denominator : 0.0;
-        step = rising ? step : -step;
+        TORUS_PRECISE float forwards = denominator != 0.0 ? numerator / denominator : 0.0;
+        TORUS_PRECISE float step = rising ? forwards : -forwards;
         // The slope is known to some 2^-24, and the step to as much over the slope: a long step along a flat
         // crossing, as of a ray nearly along a thin tube, needs another one. So does a step near the axis, where rho
         // turns sharply: at the tip of a horn.
         TORUS_PRECISE float longStep = TORUS_LONG_STEP * abs(slope);
         TORUS_PRECISE float thirdOrder = point.sixthThird * step * step * step;
-        TORUS_PRECISE float smallOrder = TORUS_THIRD_ORDER * root;
+        // The closer to the origin, the more digits t has.
+        TORUS_PRECISE float t = line.baseShift + point.shift;
+        TORUS_PRECISE float smallOrder = TORUS_THIRD_ORDER * root * min(abs(t), 1.0);
         again = abs(step) > TORUS_LAST_STEP && (abs(step) > longStep || abs(thirdOrder) > smallOrder);
+        TORUS_PRECISE vec3 exactPosition = point.high + (point.low + step * line.direction);
+        TORUS_PRECISE float exactRest = point.shiftLow + step;
+        TORUS_PRECISE float next = at + step;
+        position = exactPosition;
+        shift = point.shift;
+        rest = exactRest;
+        at = next;
     }
-    TORUS_PRECISE vec3 position = (point.high + (point.low + step * line.direction)) * line.unit;
-    TORUS_PRECISE float uT = at * line.tPerU;
-    TORUS_PRECISE float sum = line.footT + uT;
-    TORUS_PRECISE float t =
-        sum + (torus_sumError(line.footT, uT, sum) + (line.footTLow + step * line.tPerU));
-    TORUS_PRECISE float sumU = at + step;
-    exactU = sumU;
+    exactU = at;
+    TORUS_PRECISE vec3 scaled = position * line.unit;
+    TORUS_PRECISE float sum = line.baseShift + shift;
+    TORUS_PRECISE float t = (sum + (torus_sumError(line.baseShift, shift, sum) + rest)) * line.tPerU;
     // Not min and max: of two zeros of different sign they may return either.
     t = t >= tMin ? t : tMin;
     t = t <= tMax ? t : tMax;
-    return TorusHit(t, position);
+    return TorusHit(t, scaled);
 }
 
 // Private: what is written where there is no hit. Comparisons with NaN are false, and so give 0.
@@ -117,11 +128,12 @@ bool torusIntersect(Torus torus, vec3 origin, float tMin, vec3 direction, float 
     }
     float u = 0.0;
     bool rising = false;
-    if (!torus_firstCrossing(line, u, rising)) {
+    bool outer = false;
+    if (!torus_firstCrossing(line, u, rising, outer)) {
         return false;
     }
     float exactU;
-    TorusHit first = torus_hit(line, u, rising, tMin, tMax, exactU);
+    TorusHit first = torus_hit(line, u, rising, outer, tMin, tMax, exactU);
     // Only the far end is left to check: a hit that rounding puts before the start is the one at the start.
     if (!(exactU <= line.upper)) {
         return false;
@@ -154,24 +166,31 @@ int torusIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, floa
     if (!torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line) || !torus_cut(line)) {
         return 0;
     }
-    float first;
-    bool known;
-    if (!torus_filter(line, first, known) && known) {
+    torus_Ways ways = torus_allWays(line);
+    if (ways.known && ways.count == 0) {
         return 0;
     }
-    torus_Spans spans = torus_dips(torus_extrema(line));
-    torus_split(line, true, spans);
+    torus_Spans spans;
+    if (!ways.known) {
+        spans = torus_dips(torus_extrema(line));
+        torus_split(line, true, spans);
+    }
     int count = 0;
     float from = tMin;  // where a line touches, rounding must not swap the pair
     for (int i = 0; i < 4; ++i) {
-        float u = 0.0;
-        bool rising = false;
-        // Where there is no crossing the last step would go on from anywhere to nowhere, as often as it may.
-        if (torus_crossing(line, spans, i, true, u, rising)) {
+        float u = i < 2 ? (i == 0 ? ways.first : ways.second) : (i == 2 ? ways.third : ways.fourth);
+        bool rising = i == 1 || i == 3;
+        bool outer = false;
+        bool exists = i < ways.count;
+        if (!ways.known) {
+            exists = torus_crossing(line, spans, i, true, u, rising, outer);
             // The filter's start where it has one, so that the first hit is torusIntersect's to the bit.
-            bool filtered = known && count == 0 && !rising && u >= line.lower;
+            u = exists && ways.enters && count == 0 && !rising && u >= line.lower ? ways.first : u;
+        }
+        // Where there is no crossing the last step would go on from anywhere to nowhere, as often as it may.
+        if (exists) {
             float exactU;
-            TorusHit hit = torus_hit(line, filtered ? first : u, rising, from, tMax, exactU);
+            TorusHit hit = torus_hit(line, u, rising, outer, from, tMax, exactU);
             if (exactU >= line.lower && exactU <= line.upper) {
                 hits[count] = hit;
                 from = hit.t;

@@ -25,9 +25,9 @@
 #define TORUS_ROOT_STEPS 48
 // An extremum is near enough when a step is shorter than this part of r; the next error is its square, and G is flat.
 #define TORUS_EXTREMUM_STEP 0.00390625
-// Up to this part of r (R + r), rounding can have turned the sign of G: some ten roundings of its terms, and a square
-// root that is off by the 6.5 ulp that Vulkan allows.
-#define TORUS_DOUBT 2.5e-6
+// Up to this part of r (R + r), rounding can have turned the sign of G: some ten roundings of its terms, a square root
+// that is off by the 6.5 ulp that Vulkan allows, and the rounding of the foot.
+#define TORUS_DOUBT 4.0e-6
 // Where a minimum and a maximum of G nearly meet, as near a horn's tip, Newton only halves the way to each, and the
 // curvature with it: this many times as much as the parabola says can be left of G.
 #define TORUS_SETTLE_ROOM 8.0
@@ -74,6 +74,8 @@ float torus_tube(torus_Line line, float u, out float slope) {
 struct torus_Point {
     vec3 high;
     vec3 low;
+    float shift;          // how far it is from the line's base, in lengths of the direction ...
+    float shiftLow;       // ... and what is left of that
     float tube;           // G there, to some 2^-45 of r (R + r)
     float halfSlope;      // half of G' there
     float halfCurvature;  // half of G'' there
@@ -82,9 +84,13 @@ struct torus_Point {
 
 torus_Point torus_exactPoint(torus_Line line, float u) {
     torus_Point point;
-    vec3 low;
-    point.high = torus_advance3(line.foot, u, line.direction, low);
-    TORUS_PRECISE vec3 allLow = low + line.footLow;
+    // Any two floats that make up a place near u will do, as long as t is made of the same two.
+    TORUS_PRECISE float shift = line.shift + u;
+    TORUS_PRECISE float shiftLow = u - (shift - line.shift);
+    point.shift = shift;
+    point.shiftLow = shiftLow;
+    vec3 allLow;
+    point.high = torus_advance3(line.base, line.baseLow, shift, shiftLow, line.direction, allLow);
     point.low = allLow;
     float x = point.high.x;
     float y = point.high.y;
@@ -96,8 +102,9 @@ torus_Point torus_exactPoint(torus_Line line, float u) {
     TORUS_PRECISE float rootLow = 0.5 * residual * perRoot;
     TORUS_PRECISE float q = root - line.majorRadius;
     TORUS_PRECISE float qLow = torus_sumError(root, -line.majorRadius, q) + rootLow;
-    TORUS_PRECISE float tube =
-        torus_squareDifference(q, z, line.minorRadius) + 2.0 * (q * qLow + z * allLow.z);
+    // In a thin tube q is so small that the square of its low part counts.
+    TORUS_PRECISE float tube = torus_squareDifference(q, z, line.minorRadius) +
+                               ((2.0 * q + qLow) * qLow + 2.0 * (z * allLow.z));
     point.tube = tube;
     TORUS_PRECISE float along = x * line.direction.x + y * line.direction.y;
     TORUS_PRECISE float rootSlope = along * perRoot;

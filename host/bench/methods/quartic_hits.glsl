@@ -88,7 +88,7 @@ bool QUARTIC_INTERSECT(Torus torus, vec3 origin, float tMin, vec3 direction, flo
         return false;
     }
     float exactU;
-    TorusHit first = torus_hit(line, u, inside, tMin, tMax, exactU);
+    TorusHit first = torus_hit(line, u, inside, false, tMin, tMax, exactU);
     if (!(exactU <= line.upper)) {
         return false;
     }
@@ -124,7 +124,7 @@ int QUARTIC_INTERSECT_ALL(Torus torus, vec3 origin, float tMin, vec3 direction, 
         float u = 0.0;
         if (QUARTIC_ROOT(line, state, i, u)) {
             float exactU;
-            TorusHit hit = torus_hit(line, u, i % 2 == 1, tMin, tMax, exactU);
+            TorusHit hit = torus_hit(line, u, i % 2 == 1, false, tMin, tMax, exactU);
             if (exactU >= line.lower && exactU <= line.upper) {
                 hits[count] = hit;
                 ++count;

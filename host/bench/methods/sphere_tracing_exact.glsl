@@ -69,7 +69,7 @@ bool marchIntersect(Torus torus, vec3 origin, float tMin, vec3 direction, float 
         return false;
     }
     float exactU;
-    TorusHit found = torus_hit(line, u, inside, tMin, tMax, exactU);
+    TorusHit found = torus_hit(line, u, inside, false, tMin, tMax, exactU);
     if (!(exactU <= line.upper)) {
         return false;
     }
@@ -108,7 +108,7 @@ int marchIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, floa
         int crossings = before == inside ? 2 : 1;
         for (int i = 0; i < crossings && count < 4; ++i) {
             float exactU;
-            TorusHit hit = torus_hit(line, met, i == 0 ? before : !before, tMin, tMax, exactU);
+            TorusHit hit = torus_hit(line, met, i == 0 ? before : !before, false, tMin, tMax, exactU);
             if (exactU <= line.upper) {
                 hits[count] = hit;
                 ++count;
