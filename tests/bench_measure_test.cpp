@@ -211,11 +211,11 @@ TEST_F(BenchMeasure, RunsEveryMethod) {
             SCOPED_TRACE(method.name);
             EXPECT_TRUE(method.checksumHeld);
             EXPECT_GT(method.times.minimum, 0.0);
-            // From 3 R, at r = R / 4, all but the sphere are right on nearly every ray.
+            // From 3 R, at r = R / 4, all but the floors are right on nearly every ray.
             const double bad = static_cast<double>(method.verdicts.wrong + method.verdicts.gross);
             const double part = bad / std::max(1.0, static_cast<double>(method.verdicts.judged));
-            if (method.name == "ray-sphere") {
-                EXPECT_GT(part, 0.1);
+            if (method.name == "ray-sphere" || method.name == "exact-ends") {
+                EXPECT_GT(part, 0.04);  // culling alone is right on nine scattered rays of ten
             } else {
                 EXPECT_LT(part, 0.02);
             }

@@ -164,7 +164,8 @@ TEST_F(ProgramBench, ExplainsWrongArguments) {
     expectError({"--method", "magic"}, ExitCode::Usage,
                 "--method: there is no method \"magic\" (there are empty raytorus closed-form-common "
                 "closed-form-naive closed-form closed-form-polished sphere-tracing sphere-tracing-exact "
-                "bracketed-newton newton-quartic minima-first float64-quartic ray-sphere)");
+                "bracketed-newton newton-quartic minima-first float64-quartic exact-ends "
+                "ray-sphere)");
     expectError({"--family", "navi31"}, ExitCode::Usage, "--family is for --isa");
     expectError({"--shaders", "."}, ExitCode::Usage,
                 "--shaders: the benchmark has shaders of its own, built in");
@@ -201,7 +202,7 @@ TEST_F(ProgramBench, CountsMachineCode) {
     }
     ASSERT_EQ(instructions.size(), 3U);
     for (const auto& [query, methods] : instructions) {
-        EXPECT_EQ(methods.size(), 13U) << query;
+        EXPECT_EQ(methods.size(), 14U) << query;
         EXPECT_GT(methods.at("ray-sphere"), methods.at("empty")) << query;
         EXPECT_GT(methods.at("raytorus"), methods.at("ray-sphere")) << query;
     }

@@ -13,6 +13,7 @@
 #include "raytorus_bench_closed_form_naive.hpp"
 #include "raytorus_bench_closed_form_polished.hpp"
 #include "raytorus_bench_empty.hpp"
+#include "raytorus_bench_exact_ends.hpp"
 #include "raytorus_bench_float64_quartic.hpp"
 #include "raytorus_bench_minima_first.hpp"
 #include "raytorus_bench_newton_quartic.hpp"
@@ -50,6 +51,9 @@ std::vector<TimedMethod> makeTable() {
          ShaderSource(bench_minima_first::find)},
         {"float64-quartic", "bracketed Newton on the reduced quartic in float64",
          ShaderSource(bench_float64_quartic::find), true},
+        {"exact-ends",
+         "the floor of exactness: the library's reduction and last step, with nothing found between",
+         ShaderSource(bench_exact_ends::find)},
         {"ray-sphere", "the floor: the bounding sphere, which cannot be right",
          ShaderSource(bench_ray_sphere::find)},
     };
