@@ -154,7 +154,8 @@ torus_Way torus_firstWay(torus_Line line) {
     return torus_search(quartic, false, line.lower, later, true, torus_startsClear(line, quartic));
 }
 
-// All crossings from line.lower to the line's end, in ascending order in, out, in, out.
+// All crossings from line.lower to the line's end, in ascending order in, out, in, out. Flat, because glslang hands
+// `precise` on through structures in structures by way of each path through them, until memory ends.
 struct torus_Ways {
     bool known;
     int count;     // 0, 2 or 4
