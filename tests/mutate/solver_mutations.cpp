@@ -67,7 +67,7 @@ constexpr Mutation rows[] = {
     {"second-dip-forgotten", tube, "extrema.hasSecond = hasRight", "extrema.hasSecond = false",
      "the second pair of hits is dropped"},
     {"extrema-three-steps", tube, "#define TORUS_EXTREMUM_STEPS 16", "#define TORUS_EXTREMUM_STEPS 3",
-     "a loop that ends before Newton is there"},
+     "a loop that ends before Newton is there", Shows::InNumbers},
     {"extrema-early-out", tube, "#define TORUS_EXTREMUM_STEP 0.00390625", "#define TORUS_EXTREMUM_STEP 1.0",
      "steps of a whole tube count as none", Shows::InNumbers},
     {"roots-one-step", tube, "#define TORUS_ROOT_STEPS 48", "#define TORUS_ROOT_STEPS 1",
