@@ -80,6 +80,16 @@ std::vector<BadInput> badInputs() {
             b.ray.tMax = b.t = infinity;
         });
     }
+    for (const float length : {1e-25F, 1e25F}) {
+        add(fmt::format("direction of length {}", length), [length](BadInput& b) {
+            b.ray.direction[0] = -length;
+            b.ray.tMax = b.t = infinity;
+        });
+    }
+    add("t beyond float32", [](BadInput& b) {
+        b.minorRadius = 15;
+        b.ray = {{-0x1p120F, 0, 0}, -largest, {-0x1.3p-59F, 0, 0}, b.t = largest};
+    });
     add("origin beyond", [](BadInput& b) { b.ray.origin[1] = largest; });
     return list;
 }

@@ -112,6 +112,11 @@ TEST_F(ExtremeRanges, HitsBeyondTheLargestTAreMissed) {
                                    {{1e37F, 0, 0}, -infinity, {1.0e-18F, 0, 0}, infinity}};
     test::HitJudge judge(rays.size());
     expectRight(judge, {size, size / 4}, rays);
+    // So far away that the ends' distances from the torus would be differences of infinities.
+    const std::vector<Ray> further = {{{0, 0, -0x1.cf3p109F}, -infinity, {0, 0, -0x1.5p-59F}, infinity},
+                                      {{0, 0, 0x1.356p109F}, -infinity, {0, 0, -0x1.afp-59F}, infinity},
+                                      {{-0x1p120F, 0, 0}, -largest, {-0x1.3p-59F, 0, 0}, largest}};
+    expectRight(judge, {1, 15}, further);
 }
 
 // The solid's own floats: R + r and R - r are exact here, so the origin is on the surface to the last bit.

@@ -22,15 +22,19 @@ float torus_powerOfTwoReciprocal(float x) {
     return uintBitsToFloat(0x7f000000u - floatBitsToUint(x));
 }
 
-// a * b - product, exactly, for product = fl(a * b): Dekker's product with Veltkamp's splitting (Numer. Math. 18,
-// 1971, pp. 224-242). Not fma: it is unfused on several drivers, where a * b - product would come out as 0.
-// Exact while |a|, |b| < 2^100 and the parts do not underflow.
+// The first 12 of a float's 24 bits; the rest, which is the difference, has the other 12.
+float torus_upperHalf(float x) {
+    return uintBitsToFloat(floatBitsToUint(x) & 0xfffff000u);
+}
+
+// a * b - product, exactly, for product = fl(a * b): Dekker's product (Numer. Math. 18, 1971, pp. 224-242), split by
+// bits, which takes half the operations of splitting by a multiplication, and no result out of range: products of
+// halves have 24 bits, and so has each of these sums. Not fma: it is unfused on several drivers, where
+// a * b - product would come out as 0. Exact unless the parts underflow.
 float torus_productError(float a, float b, float product) {
-    TORUS_PRECISE float aScaled = 4097.0 * a;
-    TORUS_PRECISE float aHigh = aScaled - (aScaled - a);
+    TORUS_PRECISE float aHigh = torus_upperHalf(a);
     TORUS_PRECISE float aLow = a - aHigh;
-    TORUS_PRECISE float bScaled = 4097.0 * b;
-    TORUS_PRECISE float bHigh = bScaled - (bScaled - b);
+    TORUS_PRECISE float bHigh = torus_upperHalf(b);
     TORUS_PRECISE float bLow = b - bHigh;
     TORUS_PRECISE float error = ((aHigh * bHigh - product) + aHigh * bLow + aLow * bHigh) + aLow * bLow;
     return error;
@@ -43,13 +47,18 @@ float torus_sumError(float a, float b, float sum) {
     return error;
 }
 
-// base + factor * direction + little as the unevaluated sum of two floats, of which the first is the rounded result:
-// where the sum cancels, as it does when a far origin is moved to the centre, nothing is lost.
-float torus_advance(float base, float factor, float direction, float little, out float low) {
+// What rounding takes from base + factor * direction, of which `product` and `sum` are the rounded product and sum.
+float torus_advanceError(float base, float factor, float direction, float product, float sum) {
+    TORUS_PRECISE float error = torus_sumError(base, product, sum) + torus_productError(factor, direction, product);
+    return error;
+}
+
+// base + factor * direction as the unevaluated sum of two floats, of which the first is the rounded result: where the
+// sum cancels, as it does when a far origin is moved to the centre, nothing is lost.
+float torus_advance(float base, float factor, float direction, out float low) {
     TORUS_PRECISE float product = factor * direction;
     TORUS_PRECISE float sum = base + product;
-    TORUS_PRECISE float rest =
-        (torus_sumError(base, product, sum) + torus_productError(factor, direction, product)) + little;
+    TORUS_PRECISE float rest = torus_advanceError(base, factor, direction, product, sum);
     TORUS_PRECISE float high = sum + rest;
     TORUS_PRECISE float lost = rest - (high - sum);
     low = lost;

@@ -93,23 +93,26 @@ void torusQuarticCoefficients(Torus torus, vec3 origin, vec3 direction, out floa
 // returns    false, and zeros, where the ray passes the bounding sphere by, for bad input as in torus.glsl, for R = 0
 //            and for r > 100 R
 bool torusReduceRay(Torus torus, vec3 origin, vec3 direction, out TorusReducedRay ray) {
-    torus_Line line;
-    bool meets = torus_reduce(torus.majorRadius, torus.minorRadius, origin, -TORUS_FLOAT_MAX, direction,
-                              TORUS_FLOAT_MAX, line);
-    TORUS_PRECISE float shift = (line.baseShift + line.shift) * line.tPerU;
-    TORUS_PRECISE float widest = TORUS_CLOSED_FORM_WIDEST * line.majorRadius;
-    if (!(meets && line.minorRadius <= widest)) {
-        ray = TorusReducedRay(vec3(0.0, 0.0, 0.0), vec3(0.0, 0.0, 0.0), 0.0, 0.0, 0.0);
-        return false;
+    ray = TorusReducedRay(vec3(0.0, 0.0, 0.0), vec3(0.0, 0.0, 0.0), 0.0, 0.0, 0.0);
+    bool meets = false;
+    torus_Ray scaled = torus_scale(torus.majorRadius, torus.minorRadius, origin, -TORUS_FLOAT_MAX, direction,
+                                   TORUS_FLOAT_MAX);
+    if (scaled.meets) {
+        torus_Line line = torus_reduce(scaled, -TORUS_FLOAT_MAX, TORUS_FLOAT_MAX);
+        TORUS_PRECISE float widest = TORUS_CLOSED_FORM_WIDEST * line.majorRadius;
+        meets = line.meets && line.minorRadius <= widest;
+        if (meets) {
+            TORUS_PRECISE float shift = (line.baseShift + line.shift) * line.tPerU;
+            TORUS_PRECISE float perLength = 1.0 / sqrt(line.length2);
+            TORUS_PRECISE float perMajor = 1.0 / line.majorRadius;
+            TORUS_PRECISE vec3 foot = line.foot * perMajor;
+            TORUS_PRECISE vec3 unit = line.direction * perLength;
+            TORUS_PRECISE float tubeRadius = line.minorRadius * perMajor;
+            TORUS_PRECISE float scale = line.majorRadius * perLength * line.tPerU;
+            ray = TorusReducedRay(foot, unit, tubeRadius, shift, scale);
+        }
     }
-    TORUS_PRECISE float perLength = 1.0 / sqrt(line.length2);
-    TORUS_PRECISE float perMajor = 1.0 / line.majorRadius;
-    TORUS_PRECISE vec3 foot = line.foot * perMajor;
-    TORUS_PRECISE vec3 unit = line.direction * perLength;
-    TORUS_PRECISE float tubeRadius = line.minorRadius * perMajor;
-    TORUS_PRECISE float scale = line.majorRadius * perLength * line.tPerU;
-    ray = TorusReducedRay(foot, unit, tubeRadius, shift, scale);
-    return true;
+    return meets;
 }
 
 // beta as the sum that the derivation arrives at (math.md, eq. 11): in float32 its terms cancel beside a thin tube.

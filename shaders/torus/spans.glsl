@@ -13,25 +13,15 @@ struct torus_Spans {
     bool first;      // G dips below zero at the first minimum
     bool second;     // ... at the second
     bool joined;     // ... and stays below between them
-    float middle;    // where G is largest between the minima; meaningful if both dip and it was asked for
 };
 
-// The spans; `middle` and `joined` only where a caller that knows the minima wants them.
-torus_Spans torus_dips(torus_Extrema extrema) {
+torus_Spans torus_dips(torus_Line line) {
     torus_Spans spans;
-    spans.extrema = extrema;
-    spans.first = extrema.firstValue <= 0.0;
-    spans.second = extrema.hasSecond && extrema.secondValue <= 0.0;
-    spans.joined = false;
-    spans.middle = 0.0;
+    spans.extrema = torus_extrema(line);
+    spans.first = spans.extrema.firstValue <= 0.0;
+    spans.second = spans.extrema.hasSecond && spans.extrema.secondValue <= 0.0;
+    spans.joined = spans.first && spans.second && spans.extrema.middleValue <= 0.0;
     return spans;
-}
-
-// Completes spans by the maximum between two dips.
-void torus_split(torus_Line line, bool wanted, inout torus_Spans spans) {
-    float value = 1.0;
-    spans.middle = torus_maximum(line, spans.extrema, wanted && spans.first && spans.second, value);
-    spans.joined = wanted && spans.first && spans.second && value <= 0.0;
 }
 
 // Where the parabola through a minimum of G, with G's curvature there, has its root: near a tangent this is the root.
@@ -57,7 +47,7 @@ bool torus_crossing(torus_Line line, torus_Spans spans, int index, bool wanted, 
     float minimum = atFirst ? spans.extrema.firstMinimum : spans.extrema.secondMinimum;
     float value = atFirst ? spans.extrema.firstValue : spans.extrema.secondValue;
     float flatness = atFirst ? spans.extrema.firstFlatness : spans.extrema.secondFlatness;
-    float outside = split ? spans.middle : (rising ? line.halfChord : -line.halfChord);
+    float outside = split ? spans.extrema.middle : (rising ? line.halfChord : -line.halfChord);
     float start = torus_parabolaRoot(minimum, value, flatness, rising);
     u = torus_root(line, min(minimum, outside), max(minimum, outside), rising, start, exists);
     return exists;
@@ -65,14 +55,12 @@ bool torus_crossing(torus_Line line, torus_Spans spans, int index, bool wanted, 
 
 // The first crossing in the interval: into the solid if the interval starts outside, else out of it.
 bool torus_exactFirstCrossing(torus_Line line, out float u, out bool rising, out bool outer) {
-    torus_Spans spans = torus_dips(torus_extrema(line));
+    torus_Spans spans = torus_dips(line);
     float slope;
     bool inside = torus_tube(line, line.lower, slope) < 0.0;
     bool firstAhead = spans.first && spans.extrema.firstMinimum >= line.lower;
     bool secondAhead = spans.second && spans.extrema.secondMinimum >= line.lower;
-    // The gap between two dips matters to a start inside, and to one that has left the first dip behind.
-    torus_split(line, inside || !firstAhead, spans);
-    bool leavesFirst = spans.first && (!spans.second || (!spans.joined && line.lower < spans.middle));
+    bool leavesFirst = spans.first && (!spans.second || (!spans.joined && line.lower < spans.extrema.middle));
     int index = inside ? (leavesFirst ? 1 : 3) : (firstAhead ? 0 : 2);
     return torus_crossing(line, spans, index, inside || firstAhead || secondAhead, u, rising, outer);
 }
@@ -92,7 +80,7 @@ bool torus_firstCrossing(torus_Line line, out float u, out bool rising, out bool
 
 // Whether the interval holds any crossing: its ends lie on different sides, or a dip lies between them, or a gap.
 bool torus_exactCrosses(torus_Line line) {
-    torus_Spans spans = torus_dips(torus_extrema(line));
+    torus_Spans spans = torus_dips(line);
     float slope;
     bool insideLower = torus_tube(line, line.lower, slope) < 0.0;
     bool insideUpper = torus_tube(line, line.upper, slope) < 0.0;
@@ -100,9 +88,8 @@ bool torus_exactCrosses(torus_Line line) {
     float second = spans.extrema.secondMinimum;
     bool dipBetween = (spans.first && first >= line.lower && first <= line.upper) ||
                       (spans.second && second >= line.lower && second <= line.upper);
-    torus_split(line, insideLower && insideUpper, spans);
-    bool gapBetween = spans.first && spans.second && !spans.joined && line.lower < spans.middle &&
-                      line.upper > spans.middle;
+    bool gapBetween = spans.first && spans.second && !spans.joined && line.lower < spans.extrema.middle &&
+                      line.upper > spans.extrema.middle;
     return insideLower != insideUpper || (insideLower ? gapBetween : dipBetween);
 }
 

@@ -121,36 +121,42 @@ TorusHit torus_miss(float tMax) {
 // hit        the hit with the smallest t; t = tMax and position = 0 if there is none
 // returns    whether there is one
 bool torusIntersect(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out TorusHit hit) {
-    hit = torus_miss(tMax);
-    torus_Line line;
-    if (!torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line) || !torus_cut(line)) {
-        return false;
+    TorusHit nearest = torus_miss(tMax);
+    bool hits = false;
+    torus_Ray ray = torus_scale(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
+    if (ray.meets) {
+        torus_Line line = torus_reduce(ray, tMin, tMax);
+        if (torus_cut(line)) {
+            float u = 0.0;
+            bool rising = false;
+            bool outer = false;
+            if (torus_firstCrossing(line, u, rising, outer)) {
+                float exactU;
+                TorusHit first = torus_hit(line, u, rising, outer, tMin, tMax, exactU);
+                // Only the far end is left to check: a hit that rounding puts before the start is the one at the start.
+                hits = exactU <= line.upper;
+                nearest.t = hits ? first.t : nearest.t;
+                nearest.position = hits ? first.position : nearest.position;
+            }
+        }
     }
-    float u = 0.0;
-    bool rising = false;
-    bool outer = false;
-    if (!torus_firstCrossing(line, u, rising, outer)) {
-        return false;
-    }
-    float exactU;
-    TorusHit first = torus_hit(line, u, rising, outer, tMin, tMax, exactU);
-    // Only the far end is left to check: a hit that rounding puts before the start is the one at the start.
-    if (!(exactU <= line.upper)) {
-        return false;
-    }
-    hit = first;
-    return true;
+    hit = nearest;
+    return hits;
 }
 
 // Is there any hit? For shadow rays: cheaper than torusIntersect, because no root is computed.
 //
 // torus, origin, tMin, direction, tMax   as for torusIntersect
 bool torusOccluded(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax) {
-    torus_Line line;
-    if (!torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line) || !torus_cut(line)) {
-        return false;
+    bool crosses = false;
+    torus_Ray ray = torus_scale(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
+    if (ray.meets) {
+        torus_Line line = torus_reduce(ray, tMin, tMax);
+        if (torus_cut(line)) {
+            crosses = torus_crosses(line);
+        }
     }
-    return torus_crosses(line);
+    return crosses;
 }
 
 // Every hit, in ascending t.
@@ -162,39 +168,38 @@ int torusIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, floa
     for (int i = 0; i < 4; ++i) {
         hits[i] = torus_miss(tMax);
     }
-    torus_Line line;
-    if (!torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line) || !torus_cut(line)) {
-        return 0;
-    }
-    torus_Ways ways = torus_allWays(line);
-    if (ways.known && ways.count == 0) {
-        return 0;
-    }
-    torus_Spans spans;
-    if (!ways.known) {
-        spans = torus_dips(torus_extrema(line));
-        torus_split(line, true, spans);
-    }
     int count = 0;
-    float from = tMin;  // where a line touches, rounding must not swap the pair
-    for (int i = 0; i < 4; ++i) {
-        float u = i < 2 ? (i == 0 ? ways.first : ways.second) : (i == 2 ? ways.third : ways.fourth);
-        bool rising = i == 1 || i == 3;
-        bool outer = false;
-        bool exists = i < ways.count;
-        if (!ways.known) {
-            exists = torus_crossing(line, spans, i, true, u, rising, outer);
-            // The filter's start where it has one, so that the first hit is torusIntersect's to the bit.
-            u = exists && ways.enters && count == 0 && !rising && u >= line.lower ? ways.first : u;
-        }
-        // Where there is no crossing the last step would go on from anywhere to nowhere, as often as it may.
-        if (exists) {
-            float exactU;
-            TorusHit hit = torus_hit(line, u, rising, outer, from, tMax, exactU);
-            if (exactU >= line.lower && exactU <= line.upper) {
-                hits[count] = hit;
-                from = hit.t;
-                ++count;
+    torus_Ray ray = torus_scale(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
+    if (ray.meets) {
+        torus_Line line = torus_reduce(ray, tMin, tMax);
+        if (torus_cut(line)) {
+            torus_Ways ways = torus_allWays(line);
+            torus_Spans spans;
+            if (!ways.known) {
+                spans = torus_dips(line);
+            }
+            float from = tMin;  // where a line touches, rounding must not swap the pair
+            int places = ways.known ? ways.count : 4;
+            for (int i = 0; i < places; ++i) {
+                float u = i < 2 ? (i == 0 ? ways.first : ways.second) : (i == 2 ? ways.third : ways.fourth);
+                bool rising = i == 1 || i == 3;
+                bool outer = false;
+                bool exists = true;
+                if (!ways.known) {
+                    exists = torus_crossing(line, spans, i, true, u, rising, outer);
+                    // The filter's start where it has one, so that the first hit is torusIntersect's to the bit.
+                    u = exists && ways.enters && count == 0 && !rising && u >= line.lower ? ways.first : u;
+                }
+                // Where there is no crossing the last step would go on from anywhere to nowhere, as often as it may.
+                if (exists) {
+                    float exactU;
+                    TorusHit hit = torus_hit(line, u, rising, outer, from, tMax, exactU);
+                    if (exactU >= line.lower && exactU <= line.upper) {
+                        hits[count] = hit;
+                        from = hit.t;
+                        ++count;
+                    }
+                }
             }
         }
     }

@@ -89,22 +89,30 @@ torus_Point torus_exactPoint(torus_Line line, float u) {
     TORUS_PRECISE float shiftLow = u - (shift - line.shift);
     point.shift = shift;
     point.shiftLow = shiftLow;
-    vec3 allLow;
-    point.high = torus_advance3(line.base, line.baseLow, shift, shiftLow, line.direction, allLow);
-    point.low = allLow;
-    float x = point.high.x;
-    float y = point.high.y;
-    float z = point.high.z;
+    // Not added up again: what the low parts are of the high ones, some 2^-20, is enough where their squares count too,
+    // and all else need not wait for it.
+    TORUS_PRECISE vec3 way = shift * line.direction;
+    TORUS_PRECISE vec3 high = line.base + way;
+    TORUS_PRECISE vec3 little = line.baseLow + shiftLow * line.direction;
+    TORUS_PRECISE float x = high.x;
+    TORUS_PRECISE float y = high.y;
+    TORUS_PRECISE float z = high.z;
+    TORUS_PRECISE float lowX = torus_advanceError(line.base.x, shift, line.direction.x, way.x, x) + little.x;
+    TORUS_PRECISE float lowY = torus_advanceError(line.base.y, shift, line.direction.y, way.y, y) + little.y;
+    TORUS_PRECISE float lowZ = torus_advanceError(line.base.z, shift, line.direction.z, way.z, z) + little.z;
+    point.high = high;
+    point.low = vec3(lowX, lowY, lowZ);
     // rho = root + rootLow: one Newton step on the exact residual of the rounded root.
     TORUS_PRECISE float root = sqrt(x * x + y * y);
     TORUS_PRECISE float perRoot = 1.0 / max(root, TORUS_EXACT_AXIS);
-    TORUS_PRECISE float residual = torus_squareDifference(x, y, root) + 2.0 * (x * allLow.x + y * allLow.y);
+    TORUS_PRECISE float residual =
+        torus_squareDifference(x, y, root) + ((2.0 * x + lowX) * lowX + (2.0 * y + lowY) * lowY);
     TORUS_PRECISE float rootLow = 0.5 * residual * perRoot;
     TORUS_PRECISE float q = root - line.majorRadius;
     TORUS_PRECISE float qLow = torus_sumError(root, -line.majorRadius, q) + rootLow;
     // In a thin tube q is so small that the square of its low part counts.
     TORUS_PRECISE float tube = torus_squareDifference(q, z, line.minorRadius) +
-                               ((2.0 * q + qLow) * qLow + 2.0 * (z * allLow.z));
+                               ((2.0 * q + qLow) * qLow + (2.0 * z + lowZ) * lowZ);
     point.tube = tube;
     TORUS_PRECISE float along = x * line.direction.x + y * line.direction.y;
     TORUS_PRECISE float rootSlope = along * perRoot;
@@ -128,8 +136,9 @@ struct torus_Extrema {
     float secondMinimum;      // as the first one where there is only one
     float secondValue;
     float secondFlatness;
-    bool  hasSecond;
-    float axis;               // c: where the line is closest to the axis (0 for a line parallel to it)
+    bool hasSecond;
+    float middle;             // the maximum between the two
+    float middleValue;
 };
 
 // Whether rounding, or what is left of the way to an extremum of G, could turn the sign of G there.
@@ -168,15 +177,19 @@ torus_Extrema torus_extrema(torus_Line line) {
     TORUS_PRECISE float R = line.majorRadius;
     // R rho'' rho^3 = R (n rho^2 - s^2) is the same everywhere on a line: the square of its moment about the axis.
     TORUS_PRECISE float moment = line.foot.x * line.direction.y - line.foot.y * line.direction.x;
-    TORUS_PRECISE float turn = R * (moment * moment);
+    TORUS_PRECISE float moment2 = moment * moment;
+    TORUS_PRECISE float turn = R * moment2;
     TORUS_PRECISE float c = n > 0.0 ? -m / n : 0.0;
+    TORUS_PRECISE float nearest2 = n > 0.0 ? moment2 / n : 0.0;
     TORUS_PRECISE float dd = line.length2;
     TORUS_PRECISE float reach = R * sqrt(n) / dd;
     TORUS_PRECISE float left = -reach;
     TORUS_PRECISE float right = reach;
+    TORUS_PRECISE float middle = c;
     bool hasRight = reach > c;
     TORUS_PRECISE float leftFlatness = 1.0;
     TORUS_PRECISE float rightFlatness = 1.0;
+    TORUS_PRECISE float middleFlatness = -1.0;
     TORUS_PRECISE float enough = TORUS_EXTREMUM_STEP * line.minorRadius;
     bool busy = true;
     for (int i = 0; i < TORUS_EXTREMUM_STEPS && busy; ++i) {
@@ -205,95 +218,83 @@ torus_Extrema torus_extrema(torus_Line line) {
         right = right - max(step, 0.0);
         rightFlatness = cube * perBend;
         busy = busy || step > enough;
+
+        // The maximum, from c, monotone. In terms of q = u - c, in which rho^2 = (moment^2 + (n q)^2) / n and
+        // rho rho' = n q: near the axis these agree with each other, where differences of larger numbers would be all
+        // rounding.
+        TORUS_PRECISE float q = middle - c;
+        TORUS_PRECISE float sMiddle = n * q;
+        square = nearest2 + sMiddle * q;
+        rho = sqrt(square);
+        cube = rho * square;
+        bend = dd * cube - turn;
+        // Without a bend the line passes through the axis, and here is the edge that G has there.
+        bool edge = bend > -1.0e-30;
+        perBend = edge ? 0.0 : 1.0 / bend;
+        step = (R * sMiddle - dd * middle * rho) * square * perBend;
+        middleFlatness = edge ? -1.0e-20 : cube * perBend;
+        TORUS_PRECISE float next = clamp(middle + step, left, max(left, right));
+        TORUS_PRECISE float change = next - middle;
+        middle = next;
+        busy = busy || (hasRight && abs(change) > enough);
     }
     hasRight = hasRight && right > c;
     right = hasRight ? right : left;
     rightFlatness = hasRight ? rightFlatness : leftFlatness;
 
-    torus_Extrema extrema;
-    bool mirrored = mirror < 0.0;
     TORUS_PRECISE float leftAt = mirror * left;
     TORUS_PRECISE float rightAt = mirror * right;
-    TORUS_PRECISE float axis = mirror * c;
+    TORUS_PRECISE float middleAt = mirror * middle;
     float leftSlope;
     float rightSlope;
+    float middleSlope;
     float leftValue = torus_tube(line, leftAt, leftSlope);
     float rightValue = torus_tube(line, rightAt, rightSlope);
+    float middleValue = torus_tube(line, middleAt, middleSlope);
     bool leftBusy = torus_doubtful(line, leftValue, leftSlope, leftFlatness);
     bool rightBusy = hasRight && torus_doubtful(line, rightValue, rightSlope, rightFlatness);
-    // One loop for both: drivers that run the untaken side of branches run the long exact step but once.
+    bool middleBusy = hasRight && torus_doubtful(line, middleValue, middleSlope, middleFlatness);
+    // One loop for all: drivers that run the untaken side of branches run the long exact step but once, and code that is
+    // seldom run is short.
     int steps = 0;
-    for (int i = 0; i < 2 * TORUS_SETTLE_STEPS && (leftBusy || rightBusy); ++i) {
+    for (int i = 0; i < 3 * TORUS_SETTLE_STEPS && (leftBusy || rightBusy || middleBusy); ++i) {
         TORUS_ON_STEP
         bool atLeft = leftBusy;
-        float at = atLeft ? leftAt : rightAt;
+        bool atRight = !leftBusy && rightBusy;
+        bool atMiddle = !leftBusy && !rightBusy;
+        float at = atLeft ? leftAt : (atRight ? rightAt : middleAt);
+        float flatness = atLeft ? leftFlatness : (atRight ? rightFlatness : middleFlatness);
         float value = 0.0;
         ++steps;
-        bool again = torus_settle(line, atLeft ? leftFlatness : rightFlatness, steps == TORUS_SETTLE_STEPS, at, value);
+        bool again = torus_settle(line, flatness, steps == TORUS_SETTLE_STEPS, at, value);
         steps = again ? steps : 0;
-        leftBusy = atLeft && again;
+        leftBusy = leftBusy && again;
         rightBusy = rightBusy && (atLeft || again);
+        middleBusy = middleBusy && (!atMiddle || again);
         leftAt = atLeft ? at : leftAt;
         leftValue = atLeft ? value : leftValue;
-        rightAt = atLeft ? rightAt : at;
-        rightValue = atLeft ? rightValue : value;
+        rightAt = atRight ? at : rightAt;
+        rightValue = atRight ? value : rightValue;
+        middleAt = atMiddle ? at : middleAt;
+        middleValue = atMiddle ? value : middleValue;
     }
     rightAt = hasRight ? rightAt : leftAt;
     rightValue = hasRight ? rightValue : leftValue;
+    torus_Extrema extrema;
+    bool mirrored = mirror < 0.0;
     extrema.hasSecond = hasRight;
-    extrema.axis = axis;
     extrema.firstMinimum = mirrored ? rightAt : leftAt;
     extrema.firstValue = mirrored ? rightValue : leftValue;
     extrema.firstFlatness = mirrored ? rightFlatness : leftFlatness;
     extrema.secondMinimum = mirrored ? leftAt : rightAt;
     extrema.secondValue = mirrored ? leftValue : rightValue;
     extrema.secondFlatness = mirrored ? leftFlatness : rightFlatness;
-    return extrema;
-}
-
-// The maximum of G between its two minima: Newton from c, monotone. Costs nothing unless `wanted`.
-float torus_maximum(torus_Line line, torus_Extrema extrema, bool wanted, out float value) {
-    TORUS_PRECISE float n = line.direction.x * line.direction.x + line.direction.y * line.direction.y;
-    TORUS_PRECISE float moment = line.foot.x * line.direction.y - line.foot.y * line.direction.x;
-    TORUS_PRECISE float R = line.majorRadius;
-    // In terms of q = u - c, in which rho^2 = (moment^2 + (n q)^2) / n and rho rho' = n q: near the axis these agree with
-    // each other, where differences of larger numbers would be all rounding.
-    TORUS_PRECISE float turn = moment * moment;
-    TORUS_PRECISE float nearest2 = n > 0.0 ? turn / n : 0.0;
-    TORUS_PRECISE float u = clamp(extrema.axis, extrema.firstMinimum, extrema.secondMinimum);
-    TORUS_PRECISE float enough = TORUS_EXTREMUM_STEP * line.minorRadius;
-    TORUS_PRECISE float flatness = -1.0;
-    bool busy = wanted;
-    for (int i = 0; i < TORUS_EXTREMUM_STEPS && busy; ++i) {
-        TORUS_ON_STEP
-        TORUS_PRECISE float q = u - extrema.axis;
-        TORUS_PRECISE float s = n * q;
-        TORUS_PRECISE float square = nearest2 + s * q;
-        TORUS_PRECISE float rho = sqrt(square);
-        TORUS_PRECISE float cube = rho * square;
-        TORUS_PRECISE float bend = line.length2 * cube - R * turn;
-        // Without a bend the line passes through the axis, and here is the edge that G has there.
-        bool edge = bend > -1.0e-30;
-        TORUS_PRECISE float perBend = edge ? 0.0 : 1.0 / bend;
-        TORUS_PRECISE float step = (R * s - line.length2 * u * rho) * square * perBend;
-        flatness = edge ? -1.0e-20 : cube * perBend;
-        TORUS_PRECISE float next = clamp(u + step, extrema.firstMinimum, extrema.secondMinimum);
-        TORUS_PRECISE float change = next - u;
-        busy = abs(change) > enough;
-        u = next;
-    }
-    float slope;
-    value = wanted ? torus_tube(line, u, slope) : 1.0;
-    busy = wanted && torus_doubtful(line, value, slope, flatness);
-    for (int i = 1; i <= TORUS_SETTLE_STEPS && busy; ++i) {
-        TORUS_ON_STEP
-        busy = torus_settle(line, flatness, i == TORUS_SETTLE_STEPS, u, value);
-    }
     // A maximum that is not between the minima is none: a pair of extrema has merged, and Newton was left with a place
     // where G is merely flat.
-    bool between = u > extrema.firstMinimum && u < extrema.secondMinimum;
-    value = between ? value : max(extrema.firstValue, extrema.secondValue);
-    return u;
+    bool between = middleAt > extrema.firstMinimum && middleAt < extrema.secondMinimum;
+    extrema.middle = middleAt;
+    extrema.middleValue = between ? middleValue : max(leftValue, rightValue);
+    return extrema;
 }
 
 // The root of G in [lower, upper], where G changes sign; `rising` says whether it goes from inside to outside. A start

@@ -30,18 +30,17 @@ constexpr Mutation rows[] = {
      "exactPosition = point.high + point.low", "the position before the last step"},
     {"position-unscaled", torus, "scaled = position * line.unit", "scaled = position",
      "the position in units of the torus' size"},
-    {"nearest-beyond-the-end", torus, "if (!(exactU <= line.upper))", "if (false)",
+    {"nearest-beyond-the-end", torus, "hits = exactU <= line.upper", "hits = true",
      "a hit beyond tMax is returned"},
     {"all-behind-the-start", torus, "exactU >= line.lower && exactU <= line.upper", "exactU <= line.upper",
      "hits behind the start are counted"},
     {"all-beyond-the-end", torus, "exactU >= line.lower && exactU <= line.upper", "exactU >= line.lower",
      "hits beyond the end are counted", Shows::InNumbers},
-    {"all-first-pair", torus, "for (int i = 0; i < 4; ++i) {\n        float u",
-     "for (int i = 0; i < 2; ++i) {\n        float u", "two hits for four"},
+    {"all-first-pair", torus, "i < places", "i < min(places, 2)", "two hits for four"},
     {"all-one-by-one", torus, "++count;", "count = i + 1;", "entries before the first hit are counted"},
-    {"any-is-the-sphere", torus, "return torus_crosses(line);", "return true;",
+    {"any-is-the-sphere", torus, "crosses = torus_crosses(line)", "crosses = true",
      "the bounding sphere throws the shadow"},
-    {"any-is-never", torus, "return torus_crosses(line);", "return false;", "no torus throws a shadow"},
+    {"any-is-never", torus, "crosses = torus_crosses(line)", "crosses = false", "no torus throws a shadow"},
 };
 
 }  // namespace

@@ -11,26 +11,24 @@ int closedFormIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction,
     for (int i = 0; i < 4; ++i) {
         hits[i] = torus_miss(tMax);
     }
-    torus_Line line;
-    TorusReducedRay ray;
-    // The first sorts out bad input and rays that end before the torus.
-    if (!torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line) ||
-        !torusReduceRay(torus, origin, direction, ray)) {
-        return 0;
-    }
-    float roots[4];
-    int found = torusReducedRoots(torusAxialQuartic(ray), roots);
     int count = 0;
-    for (int i = 0; i < found; ++i) {
-        TORUS_PRECISE float t = ray.shift + ray.scale * roots[i];
-        TORUS_PRECISE vec3 point = ray.origin + roots[i] * ray.direction;
-        // 2 rho on the outer sheet, -2 rho on the inner one (math.md, eq. 2).
-        TORUS_PRECISE float sheet =
-            point.x * point.x + point.y * point.y + point.z * point.z + 1.0 - ray.tubeRadius * ray.tubeRadius;
-        if (t >= tMin && t <= tMax && sheet >= 0.0) {
-            TORUS_PRECISE vec3 position = torus.majorRadius * point;
-            hits[count] = TorusHit(t, position);
-            ++count;
+    // The first sorts out bad input, the second rays that end before the torus.
+    torus_Ray scaled = torus_scale(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
+    TorusReducedRay ray;
+    if (scaled.meets && torus_reduce(scaled, tMin, tMax).meets && torusReduceRay(torus, origin, direction, ray)) {
+        float roots[4];
+        int found = torusReducedRoots(torusAxialQuartic(ray), roots);
+        for (int i = 0; i < found; ++i) {
+            TORUS_PRECISE float t = ray.shift + ray.scale * roots[i];
+            TORUS_PRECISE vec3 point = ray.origin + roots[i] * ray.direction;
+            // 2 rho on the outer sheet, -2 rho on the inner one (math.md, eq. 2).
+            TORUS_PRECISE float sheet =
+                point.x * point.x + point.y * point.y + point.z * point.z + 1.0 - ray.tubeRadius * ray.tubeRadius;
+            if (t >= tMin && t <= tMax && sheet >= 0.0) {
+                TORUS_PRECISE vec3 position = torus.majorRadius * point;
+                hits[count] = TorusHit(t, position);
+                ++count;
+            }
         }
     }
     return count;

@@ -23,6 +23,26 @@ struct CommonForm {
     float size;          // length of the direction as given
     float perSize;
     float n;
+    float square;        // |origin|^2
+};
+
+// What every ray needs. False where there is no root: bad input, past the bounding sphere or behind it.
+bool commonFormMeets(Torus torus, vec3 o, float tMin, vec3 direction, float tMax, out CommonForm f) {
+    float reach = torus.majorRadius + torus.minorRadius;
+    float size2 = dot(direction, direction);
+    f.perSize = inversesqrt(size2);
+    f.size = size2 * f.perSize;
+    f.direction = direction * f.perSize;
+    f.n = dot(o, f.direction);
+    f.square = dot(o, o);
+    float outside = f.square - reach * reach;
+    bool valid = size2 > 0.0 && size2 <= TORUS_FLOAT_MAX && torus.minorRadius > 0.0 && torus.majorRadius >= 0.0 &&
+                 reach <= TORUS_FLOAT_MAX && tMin <= tMax;
+    return valid && f.n * f.n >= outside && (outside <= 0.0 || f.n <= -tMin * f.size);
+}
+
+struct CommonRoots {
+    bool real;
     float sheet;         // |p|^2 + R^2 - r^2 = t (t + 2 n) + sheet, not negative on the outer sheet
     bool reversed;
     float shift;
@@ -31,34 +51,21 @@ struct CommonForm {
     float rightSquare;
 };
 
-// False where there is no root: bad input, past the bounding sphere or behind it, or the formula says so.
-bool commonFormSolve(Torus torus, vec3 o, float tMin, vec3 direction, float tMax, out CommonForm f) {
+CommonRoots commonFormSolve(Torus torus, vec3 o, CommonForm f) {
+    CommonRoots roots;
     float R2 = torus.majorRadius * torus.majorRadius;
     float r2 = torus.minorRadius * torus.minorRadius;
     float reach = torus.majorRadius + torus.minorRadius;
-    float size2 = dot(direction, direction);
-    f.perSize = inversesqrt(size2);
-    f.size = size2 * f.perSize;
-    f.direction = direction * f.perSize;
-    float n = dot(o, f.direction);
-    float m = dot(o, o);
-    float outside = m - reach * reach;
-    f.n = n;
-    f.sheet = m + R2 - r2;
-    bool valid = size2 > 0.0 && size2 <= TORUS_FLOAT_MAX && torus.minorRadius > 0.0 && torus.majorRadius >= 0.0 &&
-                 reach <= TORUS_FLOAT_MAX && tMin <= tMax;
-    bool meets = n * n >= outside && (outside <= 0.0 || n <= -tMin * f.size);
-    if (!valid || !meets) {
-        return false;
-    }
-    float k = 0.5 * (m - R2 - r2);
+    float n = f.n;
+    roots.sheet = f.square + R2 - r2;
+    float k = 0.5 * (f.square - R2 - r2);
     float k3 = n;
     float k2 = n * n + R2 * f.direction.z * f.direction.z + k;
     float k1 = k * n + R2 * o.z * f.direction.z;
     float k0 = k * k + R2 * (o.z * o.z - r2);
     float q8 = k3 * (k3 * k3 - k2) + k1;
-    f.reversed = abs(q8) < COMMON_FORM_REVERSE * reach * reach * reach;
-    if (f.reversed) {
+    roots.reversed = abs(q8) < COMMON_FORM_REVERSE * reach * reach * reach;
+    if (roots.reversed) {
         float perK0 = 0.25 / k0;
         float swap = k1;
         k1 = 0.5 * k3 * perK0;
@@ -82,34 +89,32 @@ bool commonFormSolve(Torus torus, vec3 o, float tMin, vec3 direction, float tMax
         v = 2.0 * root * cos(acos(clamp(H / (Q * root), -1.0, 1.0)) * (1.0 / 3.0));
     }
     float a2 = v - (2.0 / 3.0) * p;
-    if (!(a2 > 0.0)) {
-        return false;
-    }
     float a = sqrt(a2);
     float ratio = 0.5 * abs(q) / a;
     float base = -0.25 * a2 - 0.5 * p;
-    f.side = q < 0.0 ? -0.5 * a : 0.5 * a;
-    f.leftSquare = base + ratio;
-    f.rightSquare = base - ratio;
-    f.shift = k3;
-    return f.leftSquare >= 0.0;
+    roots.side = q < 0.0 ? -0.5 * a : 0.5 * a;
+    roots.leftSquare = base + ratio;
+    roots.rightSquare = base - ratio;
+    roots.shift = k3;
+    roots.real = a2 > 0.0 && roots.leftSquare >= 0.0;
+    return roots;
 }
 
 // Root 0 to 3, in lengths of the unit direction; TORUS_FLOAT_MAX if it is none, or no hit.
-float commonFormRoot(CommonForm f, float tMin, float tMax, int index) {
+float commonFormRoot(CommonForm f, CommonRoots roots, float tMin, float tMax, int index) {
     bool left = index < 2;
-    float square = left ? f.leftSquare : f.rightSquare;
+    float square = left ? roots.leftSquare : roots.rightSquare;
     float width = sqrt(max(square, 0.0));
-    float y = (left ? -f.side : f.side) + ((index & 1) == 0 ? -width : width) - f.shift;
-    float t = f.reversed ? 1.0 / y : y;
-    bool hit = square >= 0.0 && t >= tMin * f.size && t <= tMax * f.size && t * (t + 2.0 * f.n) + f.sheet >= 0.0;
+    float y = (left ? -roots.side : roots.side) + ((index & 1) == 0 ? -width : width) - roots.shift;
+    float t = roots.reversed ? 1.0 / y : y;
+    bool hit = square >= 0.0 && t >= tMin * f.size && t <= tMax * f.size && t * (t + 2.0 * f.n) + roots.sheet >= 0.0;
     return hit ? t : TORUS_FLOAT_MAX;
 }
 
-float commonFormFirst(CommonForm f, float tMin, float tMax) {
-    float first = min(commonFormRoot(f, tMin, tMax, 0), commonFormRoot(f, tMin, tMax, 1));
-    if (f.rightSquare >= 0.0) {
-        first = min(first, min(commonFormRoot(f, tMin, tMax, 2), commonFormRoot(f, tMin, tMax, 3)));
+float commonFormFirst(CommonForm f, CommonRoots roots, float tMin, float tMax) {
+    float first = min(commonFormRoot(f, roots, tMin, tMax, 0), commonFormRoot(f, roots, tMin, tMax, 1));
+    if (roots.rightSquare >= 0.0) {
+        first = min(first, min(commonFormRoot(f, roots, tMin, tMax, 2), commonFormRoot(f, roots, tMin, tMax, 3)));
     }
     return first;
 }
@@ -119,47 +124,60 @@ TorusHit commonFormHit(CommonForm f, vec3 origin, float t) {
 }
 
 bool commonFormIntersect(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out TorusHit hit) {
-    hit = torus_miss(tMax);
+    TorusHit nearest = torus_miss(tMax);
+    bool hits = false;
     CommonForm f;
-    if (!commonFormSolve(torus, origin, tMin, direction, tMax, f)) {
-        return false;
+    if (commonFormMeets(torus, origin, tMin, direction, tMax, f)) {
+        CommonRoots roots = commonFormSolve(torus, origin, f);
+        if (roots.real) {
+            float t = commonFormFirst(f, roots, tMin, tMax);
+            hits = t < TORUS_FLOAT_MAX;
+            if (hits) {
+                nearest = commonFormHit(f, origin, t);
+            }
+        }
     }
-    float t = commonFormFirst(f, tMin, tMax);
-    if (!(t < TORUS_FLOAT_MAX)) {
-        return false;
-    }
-    hit = commonFormHit(f, origin, t);
-    return true;
+    hit = nearest;
+    return hits;
 }
 
 bool commonFormOccluded(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax) {
+    bool hits = false;
     CommonForm f;
-    return commonFormSolve(torus, origin, tMin, direction, tMax, f) && commonFormFirst(f, tMin, tMax) < TORUS_FLOAT_MAX;
+    if (commonFormMeets(torus, origin, tMin, direction, tMax, f)) {
+        CommonRoots roots = commonFormSolve(torus, origin, f);
+        if (roots.real) {
+            hits = commonFormFirst(f, roots, tMin, tMax) < TORUS_FLOAT_MAX;
+        }
+    }
+    return hits;
 }
 
 int commonFormIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out TorusHit hits[4]) {
     for (int i = 0; i < 4; ++i) {
         hits[i] = torus_miss(tMax);
     }
-    CommonForm f;
-    if (!commonFormSolve(torus, origin, tMin, direction, tMax, f)) {
-        return 0;
-    }
-    float a = commonFormRoot(f, tMin, tMax, 0);
-    float b = commonFormRoot(f, tMin, tMax, 1);
-    float c = commonFormRoot(f, tMin, tMax, 2);
-    float d = commonFormRoot(f, tMin, tMax, 3);
-    // A sorting network: pairs, then the ends, then the middle. What is no hit goes last.
-    vec2 ab = vec2(min(a, b), max(a, b));
-    vec2 cd = vec2(min(c, d), max(c, d));
-    float upper = max(ab.x, cd.x);
-    float lower = min(ab.y, cd.y);
-    float sorted[4] = float[4](min(ab.x, cd.x), min(upper, lower), max(upper, lower), max(ab.y, cd.y));
     int count = 0;
-    for (int i = 0; i < 4; ++i) {
-        if (sorted[i] < TORUS_FLOAT_MAX) {
-            hits[i] = commonFormHit(f, origin, sorted[i]);
-            ++count;
+    CommonForm f;
+    if (commonFormMeets(torus, origin, tMin, direction, tMax, f)) {
+        CommonRoots roots = commonFormSolve(torus, origin, f);
+        if (roots.real) {
+            float a = commonFormRoot(f, roots, tMin, tMax, 0);
+            float b = commonFormRoot(f, roots, tMin, tMax, 1);
+            float c = commonFormRoot(f, roots, tMin, tMax, 2);
+            float d = commonFormRoot(f, roots, tMin, tMax, 3);
+            // A sorting network: pairs, then the ends, then the middle. What is no hit goes last.
+            vec2 ab = vec2(min(a, b), max(a, b));
+            vec2 cd = vec2(min(c, d), max(c, d));
+            float upper = max(ab.x, cd.x);
+            float lower = min(ab.y, cd.y);
+            float sorted[4] = float[4](min(ab.x, cd.x), min(upper, lower), max(upper, lower), max(ab.y, cd.y));
+            for (int i = 0; i < 4; ++i) {
+                if (sorted[i] < TORUS_FLOAT_MAX) {
+                    hits[i] = commonFormHit(f, origin, sorted[i]);
+                    ++count;
+                }
+            }
         }
     }
     return count;

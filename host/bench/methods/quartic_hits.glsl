@@ -74,60 +74,68 @@ bool quarticBetween(torus_Line line, QUARTIC_STATE state, bool inside) {
 #endif
 
 bool QUARTIC_INTERSECT(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out TorusHit hit) {
-    hit = torus_miss(tMax);
-    torus_Line line;
-    if (!torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line) || !torus_cut(line)) {
-        return false;
+    TorusHit nearest = torus_miss(tMax);
+    bool hits = false;
+    torus_Ray ray = torus_scale(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
+    if (ray.meets) {
+        torus_Line line = torus_reduce(ray, tMin, tMax);
+        if (torus_cut(line)) {
+            QUARTIC_STATE state = QUARTIC_PREPARE(line);
+            float slope;
+            bool inside = torus_tube(line, line.lower, slope) < 0.0;
+            float from = quarticFrom(line);
+            float u = 0.0;
+            if (QUARTIC_FIRST(line, state, inside, from, u)) {
+                float exactU;
+                TorusHit first = torus_hit(line, u, inside, false, tMin, tMax, exactU);
+                hits = exactU <= line.upper;
+                nearest.t = hits ? first.t : nearest.t;
+                nearest.position = hits ? first.position : nearest.position;
+            }
+        }
     }
-    QUARTIC_STATE state = QUARTIC_PREPARE(line);
-    float slope;
-    bool inside = torus_tube(line, line.lower, slope) < 0.0;
-    float from = quarticFrom(line);
-    float u = 0.0;
-    if (!QUARTIC_FIRST(line, state, inside, from, u)) {
-        return false;
-    }
-    float exactU;
-    TorusHit first = torus_hit(line, u, inside, false, tMin, tMax, exactU);
-    if (!(exactU <= line.upper)) {
-        return false;
-    }
-    hit = first;
-    return true;
+    hit = nearest;
+    return hits;
 }
 
 // Ends on different sides, or a crossing between them.
 bool QUARTIC_OCCLUDED(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax) {
-    torus_Line line;
-    if (!torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line) || !torus_cut(line)) {
-        return false;
+    bool crosses = false;
+    torus_Ray ray = torus_scale(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
+    if (ray.meets) {
+        torus_Line line = torus_reduce(ray, tMin, tMax);
+        if (torus_cut(line)) {
+            QUARTIC_STATE state = QUARTIC_PREPARE(line);
+            float slope;
+            bool insideLower = torus_tube(line, line.lower, slope) < 0.0;
+            bool insideUpper = torus_tube(line, line.upper, slope) < 0.0;
+            bool between = QUARTIC_BETWEEN(line, state, insideLower);
+            crosses = insideLower != insideUpper || between;
+        }
     }
-    QUARTIC_STATE state = QUARTIC_PREPARE(line);
-    float slope;
-    bool insideLower = torus_tube(line, line.lower, slope) < 0.0;
-    bool insideUpper = torus_tube(line, line.upper, slope) < 0.0;
-    bool between = QUARTIC_BETWEEN(line, state, insideLower);
-    return insideLower != insideUpper || between;
+    return crosses;
 }
 
 int QUARTIC_INTERSECT_ALL(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out TorusHit hits[4]) {
     for (int i = 0; i < 4; ++i) {
         hits[i] = torus_miss(tMax);
     }
-    torus_Line line;
-    if (!torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line) || !torus_cut(line)) {
-        return 0;
-    }
-    QUARTIC_STATE state = QUARTIC_PREPARE(line);
     int count = 0;
-    for (int i = 0; i < 4; ++i) {
-        float u = 0.0;
-        if (QUARTIC_ROOT(line, state, i, u)) {
-            float exactU;
-            TorusHit hit = torus_hit(line, u, i % 2 == 1, false, tMin, tMax, exactU);
-            if (exactU >= line.lower && exactU <= line.upper) {
-                hits[count] = hit;
-                ++count;
+    torus_Ray ray = torus_scale(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
+    if (ray.meets) {
+        torus_Line line = torus_reduce(ray, tMin, tMax);
+        if (torus_cut(line)) {
+            QUARTIC_STATE state = QUARTIC_PREPARE(line);
+            for (int i = 0; i < 4; ++i) {
+                float u = 0.0;
+                if (QUARTIC_ROOT(line, state, i, u)) {
+                    float exactU;
+                    TorusHit hit = torus_hit(line, u, i % 2 == 1, false, tMin, tMax, exactU);
+                    if (exactU >= line.lower && exactU <= line.upper) {
+                        hits[count] = hit;
+                        ++count;
+                    }
+                }
             }
         }
     }

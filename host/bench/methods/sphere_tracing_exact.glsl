@@ -47,71 +47,66 @@ void marchAcross(torus_Line line, float perLength, inout float u, inout bool ins
     }
 }
 
-// The line, and the start of marching.
-bool marchStart(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out torus_Line line,
-                out float perLength, out bool inside) {
-    bool meets = torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line);
-    perLength = inversesqrt(line.length2);
-    inside = meets && line.lower > line.enter && marchDistance(line, line.lower) < 0.0;
-    return meets;
+// The start of marching.
+bool marchesInside(torus_Line line) {
+    return line.lower > line.enter && marchDistance(line, line.lower) < 0.0;
 }
 
 bool marchIntersect(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out TorusHit hit) {
-    hit = torus_miss(tMax);
-    torus_Line line;
-    float perLength;
-    bool inside;
-    if (!marchStart(torus, origin, tMin, direction, tMax, line, perLength, inside)) {
-        return false;
+    TorusHit nearest = torus_miss(tMax);
+    bool hits = false;
+    torus_Ray ray = torus_scale(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
+    if (ray.meets) {
+        torus_Line line = torus_reduce(ray, tMin, tMax);
+        bool inside = marchesInside(line);
+        float u = line.lower;
+        if (line.meets && marchOn(line, inversesqrt(line.length2), inside, u)) {
+            float exactU;
+            TorusHit found = torus_hit(line, u, inside, false, tMin, tMax, exactU);
+            hits = exactU <= line.upper;
+            nearest.t = hits ? found.t : nearest.t;
+            nearest.position = hits ? found.position : nearest.position;
+        }
     }
-    float u = line.lower;
-    if (!marchOn(line, perLength, inside, u)) {
-        return false;
-    }
-    float exactU;
-    TorusHit found = torus_hit(line, u, inside, false, tMin, tMax, exactU);
-    if (!(exactU <= line.upper)) {
-        return false;
-    }
-    hit = found;
-    return true;
+    hit = nearest;
+    return hits;
 }
 
 bool marchOccluded(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax) {
-    torus_Line line;
-    float perLength;
-    bool inside;
-    if (!marchStart(torus, origin, tMin, direction, tMax, line, perLength, inside)) {
-        return false;
+    bool crosses = false;
+    torus_Ray ray = torus_scale(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
+    if (ray.meets) {
+        torus_Line line = torus_reduce(ray, tMin, tMax);
+        float u = line.lower;
+        crosses = line.meets && marchOn(line, inversesqrt(line.length2), marchesInside(line), u);
     }
-    float u = line.lower;
-    return marchOn(line, perLength, inside, u);
+    return crosses;
 }
 
 int marchIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out TorusHit hits[4]) {
     for (int i = 0; i < 4; ++i) {
         hits[i] = torus_miss(tMax);
     }
-    torus_Line line;
-    float perLength;
-    bool inside;
-    if (!marchStart(torus, origin, tMin, direction, tMax, line, perLength, inside)) {
-        return 0;
-    }
-    float u = line.lower;
     int count = 0;
-    while (count < 4 && marchOn(line, perLength, inside, u)) {
-        bool before = inside;
-        float met = u;
-        marchAcross(line, perLength, u, inside);
-        // Back on the same side: a graze, into the solid and out of it within the stopping distance.
-        int crossings = before == inside ? 2 : 1;
-        for (int i = 0; i < crossings && count < 4; ++i) {
-            float exactU;
-            TorusHit hit = torus_hit(line, met, i == 0 ? before : !before, false, tMin, tMax, exactU);
-            if (exactU <= line.upper) {
-                hits[count] = hit;
-                ++count;
+    torus_Ray ray = torus_scale(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
+    if (ray.meets) {
+        torus_Line line = torus_reduce(ray, tMin, tMax);
+        float perLength = inversesqrt(line.length2);
+        bool inside = marchesInside(line);
+        float u = line.lower;
+        while (line.meets && count < 4 && marchOn(line, perLength, inside, u)) {
+            bool before = inside;
+            float met = u;
+            marchAcross(line, perLength, u, inside);
+            // Back on the same side: a graze, into the solid and out of it within the stopping distance.
+            int crossings = before == inside ? 2 : 1;
+            for (int i = 0; i < crossings && count < 4; ++i) {
+                float exactU;
+                TorusHit hit = torus_hit(line, met, i == 0 ? before : !before, false, tMin, tMax, exactU);
+                if (exactU <= line.upper) {
+                    hits[count] = hit;
+                    ++count;
+                }
             }
         }
     }

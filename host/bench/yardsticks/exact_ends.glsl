@@ -25,34 +25,47 @@ TorusHit exactEndsHit(torus_Line line, float u, bool rising, float tMin, float t
 }
 
 bool exactEndsIntersect(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out TorusHit hit) {
-    hit = torus_miss(tMax);
-    torus_Line line;
-    if (!torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line) || !torus_cut(line)) {
-        return false;
+    TorusHit nearest = torus_miss(tMax);
+    bool hits = false;
+    torus_Ray ray = torus_scale(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
+    if (ray.meets) {
+        torus_Line line = torus_reduce(ray, tMin, tMax);
+        hits = torus_cut(line);
+        if (hits) {
+            nearest = exactEndsHit(line, line.lower, false, tMin, tMax);
+        }
     }
-    hit = exactEndsHit(line, line.lower, false, tMin, tMax);
-    return true;
+    hit = nearest;
+    return hits;
 }
 
 bool exactEndsOccluded(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax) {
-    torus_Line line;
-    return torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line) && torus_cut(line);
+    bool hits = false;
+    torus_Ray ray = torus_scale(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
+    if (ray.meets) {
+        torus_Line line = torus_reduce(ray, tMin, tMax);
+        hits = torus_cut(line);
+    }
+    return hits;
 }
 
 int exactEndsIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out TorusHit hits[4]) {
     for (int i = 0; i < 4; ++i) {
         hits[i] = torus_miss(tMax);
     }
-    torus_Line line;
-    if (!torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax, line) || !torus_cut(line)) {
-        return 0;
+    int count = 0;
+    torus_Ray ray = torus_scale(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
+    if (ray.meets) {
+        torus_Line line = torus_reduce(ray, tMin, tMax);
+        if (torus_cut(line)) {
+            for (int i = 0; i < 2; ++i) {
+                bool rising = i == 1;
+                hits[i] = exactEndsHit(line, rising ? line.upper : line.lower, rising, tMin, tMax);
+            }
+            count = 2;
+        }
     }
-    for (int i = 0; i < 2; ++i) {
-        bool rising = i == 1;
-        TorusHit end = exactEndsHit(line, rising ? line.upper : line.lower, rising, tMin, tMax);
-        hits[i] = end;
-    }
-    return 2;
+    return count;
 }
 
 #define RAY_INTERSECT exactEndsIntersect
