@@ -194,7 +194,7 @@ TEST_F(BenchMeasure, CatchesAMethodThatAnswersOtherwiseWhenAskedAgain) {
 // Every method has its turn, its checksum holds, and the sphere is found to be no torus.
 TEST_F(BenchMeasure, RunsEveryMethod) {
     std::vector<TimedMethod> methods{timedMethods().begin(), timedMethods().end()};
-    std::erase_if(methods, [](const TimedMethod& method) { return method.needsFloat64; });
+    std::erase_if(methods, [](const TimedMethod& method) { return method.needs != Needs::Nothing; });
     Measurer measurer(test::device(), methods, smallest());
     double progress = 0.0;
     const auto follow = [&progress](double part) {

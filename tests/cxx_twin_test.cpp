@@ -277,6 +277,40 @@ TEST(CxxTwinAlone, FlushingDenormalsChangesNoBit) {
 }
 #endif
 
+// What a product's rounding took is a float, and found: by its halves, and by an fma() that rounds once.
+TEST(CxxTwinAlone, ProductErrorIsExact) {
+    std::mt19937 random(static_cast<unsigned>(test::freshSeed()));
+    std::uniform_real_distribution<float> part(-2.0F, 2.0F);
+    for (int i = 0; i < 200000; ++i) {
+        // Far enough from underflow for the product of the low halves.
+        const float a = std::ldexp(part(random), i % 61 - 30);
+        const float b = std::ldexp(part(random), i % 59 - 29);
+        const double exact = static_cast<double>(a) * static_cast<double>(b) - static_cast<double>(a * b);
+        ASSERT_EQ(static_cast<double>(test::cxxProductError(a, b)), exact) << fmt::format("{:a} {:a}", a, b);
+        ASSERT_EQ(static_cast<double>(test::cxxProductErrorFused(a, b)), exact)
+            << fmt::format("{:a} {:a}", a, b);
+    }
+}
+
+// All hits, which begin with the nearest, whose number is what any-hit asks. Where components are shrunk, low
+// halves underflow, and what is left of them is not the same.
+TEST(CxxTwinAlone, AFusedFmaChangesNoBit) {
+    std::size_t hits = 0;
+    Differences differences;
+    for (const Case& c : cases()) {
+        if (c.name.ends_with("shrunk")) {
+            continue;
+        }
+        for (const TraceRay& ray : c.rays) {
+            const auto plain = test::cxxAll(c.torus.majorRadius, c.torus.minorRadius, ray);
+            const auto fused = test::cxxAllFused(c.torus.majorRadius, c.torus.minorRadius, ray);
+            hits += plain.count > 0.0F ? 1 : 0;
+            differences.add(described(c, ray, difference(plain, &fused)));
+        }
+    }
+    EXPECT_GT(hits, 8000U);
+}
+
 // a^2 + b^2 - c^2 is right to 2^-45 c^2 wherever the first two nearly make up the third: also where both are
 // just below half of it, and no difference of two of them is exact.
 TEST(CxxTwinAlone, SquareDifferenceKeepsWhatCancels) {

@@ -11,6 +11,7 @@ raytorus_add_tests(gpu_tests
         device_fixture.cpp
         device_test.cpp
         extreme_ranges_test.cpp
+        fused_fma_test.cpp
         hit_accuracy_test.cpp
         hit_judge.cpp
         hit_match.cpp
@@ -29,6 +30,7 @@ raytorus_add_tests(gpu_tests
         surface_probe.cpp
         surface_test.cpp
         torus_cxx.cpp
+        torus_cxx_fused.cpp
     LIBRARIES raytorus::render raytorus::verify raytorus_shaders raytorus_test_shaders glm::glm)
 
 # The library as C++, for cxx_twin_test.cpp: torus_cxx/*.glsl in the build folder, included by torus_cxx.cpp.
@@ -41,5 +43,5 @@ add_custom_command(OUTPUT "${torus_cxx}/torus.glsl"
             -P "${torus_cxx_script}"
     DEPENDS ${torus_glsl} "${torus_cxx_script}" VERBATIM COMMENT "Writing the library as C++")
 target_include_directories(gpu_tests PRIVATE "${CMAKE_CURRENT_BINARY_DIR}")
-set_source_files_properties(torus_cxx.cpp loose_arithmetic.cpp PROPERTIES
+set_source_files_properties(torus_cxx.cpp torus_cxx_fused.cpp loose_arithmetic.cpp PROPERTIES
     OBJECT_DEPENDS "${torus_cxx}/torus.glsl" COMPILE_OPTIONS -fsingle-precision-constant)

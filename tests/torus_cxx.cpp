@@ -79,6 +79,10 @@ SurfaceAnswer cxxSurface(const SurfacePoint& point) {
     return answer;
 }
 
+float cxxProductError(float a, float b) {
+    return torus_cxx::torus_productError(a, b, a * b);
+}
+
 float cxxSquareDifference(float a, float b, float c) {
     return torus_cxx::torus_squareDifference(a, b, c);
 }

@@ -11,6 +11,10 @@ render::NearestHit cxxNearest(float majorRadius, float minorRadius, const render
 render::AllHits cxxAll(float majorRadius, float minorRadius, const render::TraceRay& ray);
 float cxxAny(float majorRadius, float minorRadius, const render::TraceRay& ray);
 SurfaceAnswer cxxSurface(const SurfacePoint& point);
+/// The same, compiled with TORUS_FUSED_FMA and an fma() that rounds once.
+render::AllHits cxxAllFused(float majorRadius, float minorRadius, const render::TraceRay& ray);
+float cxxProductError(float a, float b);  ///< what rounding takes from a * b
+float cxxProductErrorFused(float a, float b);
 float cxxSquareDifference(float a, float b, float c);  ///< a^2 + b^2 - c^2 as the library's last step has it
 
 }  // namespace raytorus::test

@@ -163,7 +163,7 @@ std::vector<IsaRow> countInstructions(gpu::Context& context, std::span<const Tim
     std::vector<IsaRow> rows;
     for (const render::Query query : queries) {
         for (const TimedMethod& method : methods) {
-            if (!method.needsFloat64 || context.hasFloat64()) {
+            if (method.needs != Needs::Float64 || context.hasFloat64()) {
                 rows.push_back(countOne(context, method, query));
             }
         }

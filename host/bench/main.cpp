@@ -17,6 +17,7 @@
 #include "cli/program.hpp"
 #include "cli/progress.hpp"
 #include "core/file.hpp"
+#include "render/fused_fma.hpp"
 
 namespace raytorus::bench {
 namespace {
@@ -58,14 +59,19 @@ ExitCode countCode(const BenchOptions& options) {
     return ExitCode::Ok;
 }
 
-// Who needs doubles is left out, in words, where there are none.
-std::vector<TimedMethod> methodsFor(const gpu::Context& context, std::vector<TimedMethod> methods) {
+// Who needs what the device does not have is left out, in words.
+std::vector<TimedMethod> methodsFor(gpu::Context& context, std::vector<TimedMethod> methods) {
     std::erase_if(methods, [&context](const TimedMethod& method) {
-        const bool missing = method.needsFloat64 && !context.hasFloat64();
-        if (missing) {
-            fmt::print("{} is left out: {} has no shaderFloat64\n", method.name, context.info().name);
+        std::string missing;
+        if (method.needs == Needs::Float64 && !context.hasFloat64()) {
+            missing = "has no shaderFloat64";
+        } else if (method.needs == Needs::FusedFma && !render::fusesFma(context)) {
+            missing = "has an fma() that rounds twice";
         }
-        return missing;
+        if (!missing.empty()) {
+            fmt::print("{} is left out: {} {}\n", method.name, context.info().name, missing);
+        }
+        return !missing.empty();
     });
     return methods;
 }

@@ -15,6 +15,7 @@
 #include "raytorus_bench_empty.hpp"
 #include "raytorus_bench_exact_ends.hpp"
 #include "raytorus_bench_float64_quartic.hpp"
+#include "raytorus_bench_fused.hpp"
 #include "raytorus_bench_minima_first.hpp"
 #include "raytorus_bench_newton_quartic.hpp"
 #include "raytorus_bench_ray_sphere.hpp"
@@ -32,6 +33,8 @@ std::vector<TimedMethod> makeTable() {
         {emptyName, "no intersection: making rays and using answers, taken from all other times",
          ShaderSource(bench_empty::find)},
         {ourName, "the library", ShaderSource(bench_raytorus::find)},
+        {"raytorus-fused", "the library with TORUS_FUSED_FMA, where fma() rounds once",
+         ShaderSource(bench_fused::find), Needs::FusedFma},
         {"closed-form-common", "what everybody pastes: world space, trigonometric resolvent, tuned",
          ShaderSource(bench_closed_form_common::find)},
         {"closed-form-naive", "the same mathematics as it is usually written",
@@ -50,7 +53,7 @@ std::vector<TimedMethod> makeTable() {
         {"minima-first", "signs at the closed-form minima, then Newton, reduced quartic",
          ShaderSource(bench_minima_first::find)},
         {"float64-quartic", "bracketed Newton on the reduced quartic in float64",
-         ShaderSource(bench_float64_quartic::find), true},
+         ShaderSource(bench_float64_quartic::find), Needs::Float64},
         {"exact-ends",
          "the floor of exactness: the library's reduction and last step, with nothing found between",
          ShaderSource(bench_exact_ends::find)},

@@ -10,11 +10,14 @@
 
 namespace raytorus::bench {
 
+/// What a device must have for a method; the others leave it out.
+enum class Needs { Nothing, Float64, FusedFma };
+
 struct TimedMethod {
     std::string name;
     std::string description;
     render::ShaderSource shaders;  ///< bench.comp, one_ray.comp and trace.comp
-    bool needsFloat64 = false;
+    Needs needs = Needs::Nothing;
 };
 
 /// What all others are compared with, and what is taken from all times.

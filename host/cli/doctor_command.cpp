@@ -8,8 +8,10 @@
 #include <memory>
 
 #include "cli/command.hpp"
+#include "cli/device_options.hpp"
 #include "gpu/context.hpp"
 #include "gpu/result.hpp"
+#include "render/fused_fma.hpp"
 
 namespace raytorus::cli {
 namespace {
@@ -70,6 +72,11 @@ ExitCode runDoctor() {
     }
     const gpu::DeviceInfo chosen = gpu::pickDevice(devices, "");
     fmt::print("raytorus uses device {}, {}, unless --device says otherwise\n", chosen.index, chosen.name);
+    withDevice({}, [](gpu::Context& context) {
+        fmt::print("  its fma() {}\n", render::fusesFma(context)
+                                           ? "rounds once: shaders may define TORUS_FUSED_FMA"
+                                           : "rounds twice: shaders must not define TORUS_FUSED_FMA");
+    });
     return ExitCode::Ok;
 }
 

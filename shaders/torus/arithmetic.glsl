@@ -29,14 +29,18 @@ float torus_upperHalf(float x) {
 
 // a * b - product, exactly, for product = fl(a * b): Dekker's product (Numer. Math. 18, 1971, pp. 224-242), split by
 // bits, which takes half the operations of splitting by a multiplication, and no result out of range: products of
-// halves have 24 bits, and so has each of these sums. Not fma: it is unfused on several drivers, where
-// a * b - product would come out as 0. Exact unless the parts underflow.
+// halves have 24 bits, and so has each of these sums. Exact unless the parts underflow. Not by fma() unless asked for:
+// it is unfused on several drivers, where it would return 0.
 float torus_productError(float a, float b, float product) {
+#ifdef TORUS_FUSED_FMA
+    TORUS_PRECISE float error = fma(a, b, -product);
+#else
     TORUS_PRECISE float aHigh = torus_upperHalf(a);
     TORUS_PRECISE float aLow = a - aHigh;
     TORUS_PRECISE float bHigh = torus_upperHalf(b);
     TORUS_PRECISE float bLow = b - bHigh;
     TORUS_PRECISE float error = ((aHigh * bHigh - product) + aHigh * bLow + aLow * bHigh) + aLow * bLow;
+#endif
     return error;
 }
 

@@ -27,7 +27,7 @@ constexpr Mutation rows[] = {
      "t in units of the torus' size"},
 
     {"early-sphere-without-room", line, "(R + r) * 1.00001 + 1.0e-6 * (abs(o.x) + abs(o.y) + abs(o.z))",
-     "outer", "from far away rounding puts hits outside, before they are known exactly", Shows::InNumbers},
+     "R + r", "from far away rounding puts hits outside, before they are known exactly", Shows::InNumbers},
     {"slab-too-thin", line, "float slab = line.minorRadius + TORUS_ROOM",
      "float slab = 0.9 * line.minorRadius", "the planes cut the tube's top and bottom off"},
     {"slab-upside-down", line, "d.z < 0.0 ? -line.foot.z : line.foot.z",
