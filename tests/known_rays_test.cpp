@@ -124,6 +124,14 @@ INSTANTIATE_TEST_SUITE_P(
                infinity},
               {0.00047562831721146897},
               1e-10},  // the library's is 1e-12 off
+        // Onto the tip of a spindle's dimple, 1e-8 R beside the axis: less than a point loses that is but
+        // rounded.
+        Known{"ontoADimplesTip",
+              1,
+              1.5F,
+              {{-0x1.62f74ep-1F, 0, 0x1.20ede6p+2F}, 0, {0x1.9997e4p-3F, 0, -0x1.f5a7e6p-1F}, infinity},
+              {3.4665217359826599, 6.0574068736558155},
+              ulps},
         // In a narrow hole, where the tube's bend along the ray is sharp: the closer the hit, the more digits
         // t has.
         Known{"closeInTheHole",

@@ -51,18 +51,13 @@ float torus_sumError(float a, float b, float sum) {
     return error;
 }
 
-// What rounding takes from base + factor * direction, of which `product` and `sum` are the rounded product and sum.
-float torus_advanceError(float base, float factor, float direction, float product, float sum) {
-    TORUS_PRECISE float error = torus_sumError(base, product, sum) + torus_productError(factor, direction, product);
-    return error;
-}
-
-// base + factor * direction as the unevaluated sum of two floats, of which the first is the rounded result: where the
-// sum cancels, as it does when a far origin is moved to the centre, nothing is lost.
-float torus_advance(float base, float factor, float direction, out float low) {
+// base + factor * direction + little as the unevaluated sum of two floats, of which the first is the rounded result:
+// where the sum cancels, as it does when a far origin is moved to the centre, nothing is lost.
+float torus_advance(float base, float factor, float direction, float little, out float low) {
     TORUS_PRECISE float product = factor * direction;
     TORUS_PRECISE float sum = base + product;
-    TORUS_PRECISE float rest = torus_advanceError(base, factor, direction, product, sum);
+    TORUS_PRECISE float rest =
+        (torus_sumError(base, product, sum) + torus_productError(factor, direction, product)) + little;
     TORUS_PRECISE float high = sum + rest;
     TORUS_PRECISE float lost = rest - (high - sum);
     low = lost;

@@ -46,14 +46,15 @@ struct torus_Line {
 // A ring whose hole is as small as this leaves has no tip: nearer to a horn, whose sheets meet, the exact solver does all.
 #define TORUS_RING 0.9375
 
-// base + factor * direction, each component as in torus_advance.
-vec3 torus_advance3(vec3 base, float factor, vec3 direction, out vec3 low) {
+// base + baseLow + (factor + factorLow) * direction, each component as in torus_advance.
+vec3 torus_advance3(vec3 base, vec3 baseLow, float factor, float factorLow, vec3 direction, out vec3 low) {
+    TORUS_PRECISE vec3 little = baseLow + factorLow * direction;
     float lowX;
     float lowY;
     float lowZ;
-    float x = torus_advance(base.x, factor, direction.x, lowX);
-    float y = torus_advance(base.y, factor, direction.y, lowY);
-    float z = torus_advance(base.z, factor, direction.z, lowZ);
+    float x = torus_advance(base.x, factor, direction.x, little.x, lowX);
+    float y = torus_advance(base.y, factor, direction.y, little.y, lowY);
+    float z = torus_advance(base.z, factor, direction.z, little.z, lowZ);
     low = vec3(lowX, lowY, lowZ);
     return vec3(x, y, z);
 }
@@ -130,7 +131,7 @@ torus_Line torus_reduce(torus_Ray ray, float tMin, float tMax) {
     TORUS_PRECISE float ring = TORUS_RING * R;
     bool delicate = max(max(abs(o.x), abs(o.y)), abs(o.z)) > TORUS_AFAR || r > ring;
     if (delicate) {
-        first = torus_advance3(o, firstShift, d, baseLow);
+        first = torus_advance3(o, vec3(0.0, 0.0, 0.0), firstShift, 0.0, d, baseLow);
         base = first;
         baseShift = firstShift;
     }

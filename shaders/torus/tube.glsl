@@ -89,30 +89,22 @@ torus_Point torus_exactPoint(torus_Line line, float u) {
     TORUS_PRECISE float shiftLow = u - (shift - line.shift);
     point.shift = shift;
     point.shiftLow = shiftLow;
-    // Not added up again: what the low parts are of the high ones, some 2^-20, is enough where their squares count too,
-    // and all else need not wait for it.
-    TORUS_PRECISE vec3 way = shift * line.direction;
-    TORUS_PRECISE vec3 high = line.base + way;
-    TORUS_PRECISE vec3 little = line.baseLow + shiftLow * line.direction;
-    TORUS_PRECISE float x = high.x;
-    TORUS_PRECISE float y = high.y;
-    TORUS_PRECISE float z = high.z;
-    TORUS_PRECISE float lowX = torus_advanceError(line.base.x, shift, line.direction.x, way.x, x) + little.x;
-    TORUS_PRECISE float lowY = torus_advanceError(line.base.y, shift, line.direction.y, way.y, y) + little.y;
-    TORUS_PRECISE float lowZ = torus_advanceError(line.base.z, shift, line.direction.z, way.z, z) + little.z;
-    point.high = high;
-    point.low = vec3(lowX, lowY, lowZ);
+    vec3 allLow;
+    point.high = torus_advance3(line.base, line.baseLow, shift, shiftLow, line.direction, allLow);
+    point.low = allLow;
+    float x = point.high.x;
+    float y = point.high.y;
+    float z = point.high.z;
     // rho = root + rootLow: one Newton step on the exact residual of the rounded root.
     TORUS_PRECISE float root = sqrt(x * x + y * y);
     TORUS_PRECISE float perRoot = 1.0 / max(root, TORUS_EXACT_AXIS);
-    TORUS_PRECISE float residual =
-        torus_squareDifference(x, y, root) + ((2.0 * x + lowX) * lowX + (2.0 * y + lowY) * lowY);
+    TORUS_PRECISE float residual = torus_squareDifference(x, y, root) + 2.0 * (x * allLow.x + y * allLow.y);
     TORUS_PRECISE float rootLow = 0.5 * residual * perRoot;
     TORUS_PRECISE float q = root - line.majorRadius;
     TORUS_PRECISE float qLow = torus_sumError(root, -line.majorRadius, q) + rootLow;
     // In a thin tube q is so small that the square of its low part counts.
     TORUS_PRECISE float tube = torus_squareDifference(q, z, line.minorRadius) +
-                               ((2.0 * q + qLow) * qLow + (2.0 * z + lowZ) * lowZ);
+                               ((2.0 * q + qLow) * qLow + 2.0 * (z * allLow.z));
     point.tube = tube;
     TORUS_PRECISE float along = x * line.direction.x + y * line.direction.y;
     TORUS_PRECISE float rootSlope = along * perRoot;
