@@ -62,6 +62,10 @@ struct Vector3 {
     Float x, y, z;
 
     friend Vector3 operator+(const Vector3& a, const Vector3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+    friend Vector3 operator-(const Vector3& a, const Vector3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+    friend Vector3 operator*(const Vector3& a, const Vector3& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+    friend Vector3 operator+(const Vector3& a, const Float& s) { return {a.x + s, a.y + s, a.z + s}; }
+    friend Vector3 operator-(const Vector3& a, const Float& s) { return {a.x - s, a.y - s, a.z - s}; }
     friend Vector3 operator*(const Vector3& a, const Float& s) { return {a.x * s, a.y * s, a.z * s}; }
     friend Vector3 operator*(const Float& s, const Vector3& a) { return {s * a.x, s * a.y, s * a.z}; }
 };

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "device_fixture.hpp"
+#include "reference/torus_reference.hpp"
 #include "render/tracer.hpp"
+#include "verify/trace_ray.hpp"
 
 namespace raytorus {
 namespace {
@@ -50,6 +52,37 @@ TEST_P(KnownRays, HitWhereTheyMust) {
     ASSERT_EQ(hits.count, static_cast<float>(known.t.size()));
     for (std::size_t i = 0; i < known.t.size(); ++i) {
         EXPECT_NEAR(static_cast<double>(hits.t[i]), known.t[i], known.tolerance) << i;
+    }
+}
+
+// The nearer a hit, the more digits t has: a solver that knows places along the ray to 2^-33 of the torus
+// alone would have lost half of them here.
+using NearHits = test::DeviceTest;
+
+TEST_F(NearHits, HaveAllDigitsOfTheirT) {
+    constexpr float minorRadius = 0.25F;
+    std::vector<reference::Ray> rays;
+    for (const float away : {0.05F, 0.01F, 0.001F}) {
+        for (int i = 1; i < 64; ++i) {
+            // Towards the outer equator, at angles of up to 63 degrees.
+            const float aside = 0.03F * static_cast<float>(i);
+            rays.push_back({{1 + minorRadius + away, aside * away, 0.3F * away},
+                            0,
+                            {-0.9F, 0.013F * static_cast<float>(i), 0.1F},
+                            infinity});
+        }
+    }
+    render::Tracer tracer(test::device(), render::Query::Nearest, rays.size());
+    const std::span<const float> values = tracer.trace(1, minorRadius, verify::asTraceRays(rays));
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const reference::Intersections truth = reference::intersect({1, minorRadius}, rays[i]);
+        ASSERT_GE(truth.count, 1) << i;
+        render::NearestHit hit{};
+        std::memcpy(&hit, values.subspan(i * sizeof(hit) / sizeof(float)).data(), sizeof(hit));
+        const double t = reference::toDouble(truth.hits[0].t);
+        const double ulp = std::exp2(std::floor(std::log2(t)) - 23);
+        EXPECT_EQ(hit.hit, 1.0F) << i;
+        EXPECT_NEAR(static_cast<double>(hit.t), t, 0.75 * ulp) << i;
     }
 }
 

@@ -124,6 +124,18 @@ struct vec3 {
 inline vec3 operator+(const vec3& a, const vec3& b) {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
+inline vec3 operator-(const vec3& a, const vec3& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline vec3 operator*(const vec3& a, const vec3& b) {
+    return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
+inline vec3 operator+(const vec3& a, Float s) {
+    return {a.x + s, a.y + s, a.z + s};
+}
+inline vec3 operator-(const vec3& a, Float s) {
+    return {a.x - s, a.y - s, a.z - s};
+}
 inline vec3 operator*(const vec3& a, Float s) {
     return {a.x * s, a.y * s, a.z * s};
 }

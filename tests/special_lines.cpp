@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace raytorus::test {
 namespace {
@@ -188,6 +189,42 @@ std::vector<SpecialLines> runAlongThinTubes() {
     return {{{1, 0x1.0624dep-10F}, rays}};
 }
 
+// Crossings whose sine goes from 1/256 to 1/8, seen from as far as their last step begins at the origin
+// (line.glsl, TORUS_AFAR): there a rounding counts the more, the flatter the crossing is.
+std::vector<SpecialLines> crossAtSmallAngles() {
+    constexpr int count = 2000;
+    std::vector<SpecialLines> lines;
+    for (const float minorRadius : {0.01F, 0.25F, 0.9F}) {
+        std::vector<Ray> rays;
+        for (int i = 0; i < count; ++i) {
+            // Multiples of the golden ratio's reciprocals fill a square and a circle evenly.
+            const double aroundAxis = 2 * std::numbers::pi * std::fmod(0.7548776662466927 * i, 1.0);
+            const double aroundTube = 2 * std::numbers::pi * std::fmod(0.5698402909980532 * i, 1.0);
+            const double turn = 2 * std::numbers::pi * std::fmod(0.6180339887498949 * i, 1.0);
+            const double sine = std::exp2(-8 + 5 * static_cast<double>(i) / count);
+            const double cu = std::cos(aroundAxis), su = std::sin(aroundAxis);
+            const double cv = std::cos(aroundTube), sv = std::sin(aroundTube);
+            const double rho = 1 + double{minorRadius} * cv;
+            const std::array point = {rho * cu, rho * su, double{minorRadius} * sv};
+            const std::array normal = {cv * cu, cv * su, sv};
+            const std::array alongRing = {-su, cu, 0.0};
+            const std::array alongTube = {-sv * cu, -sv * su, cv};
+            std::array<float, 3> origin{};
+            std::array<float, 3> direction{};
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double d =
+                    -sine * normal[k] + std::sqrt(1 - sine * sine) *
+                                            (std::cos(turn) * alongRing[k] + std::sin(turn) * alongTube[k]);
+                direction[k] = static_cast<float>(d);
+                origin[k] = static_cast<float>(point[k] - 6.5 * d);
+            }
+            rays.push_back(along(origin, direction));
+        }
+        lines.push_back({{1, minorRadius}, rays});
+    }
+    return lines;
+}
+
 std::span<const SpecialLinesOf> allSpecialLines() {
     static constexpr std::array all = {
         SpecialLinesOf{"lines that touch the equators", touchTheEquators},
@@ -199,6 +236,7 @@ std::span<const SpecialLinesOf> allSpecialLines() {
         SpecialLinesOf{"lines that have hits many decades apart or in one float",
                        haveHitsManyDecadesApartOrInOneFloat},
         SpecialLinesOf{"lines that run along thin tubes", runAlongThinTubes},
+        SpecialLinesOf{"lines that cross at small angles", crossAtSmallAngles},
     };
     return all;
 }

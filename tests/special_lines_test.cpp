@@ -54,5 +54,9 @@ TEST_F(LinesInSpecialPositions, RunAlongThinTubes) {
     expectRight(runAlongThinTubes());
 }
 
+TEST_F(LinesInSpecialPositions, CrossAtSmallAngles) {
+    expectRight(crossAtSmallAngles());
+}
+
 }  // namespace
 }  // namespace raytorus::test

@@ -51,67 +51,33 @@ struct TorusHit {
 };
 
 #include "circle.glsl"
+#include "last_step.glsl"
 #include "spans.glsl"
 
-// Private: the hit on the line near u, where the line leaves the solid if `rising`, else enters it; `outer` if it has no
-// crossing beyond. The root of the
-// parabola that has the tube function's exact value, slope and curvature at u (math.md, eq. 27), kept apart from u,
-// makes position and t right to the rounding of the result, tangents included. Far away several hits can have one t;
-// exactU tells them apart.
-TorusHit torus_hit(torus_Line line, float u, bool rising, bool outer, float tMin, float tMax, out float exactU) {
-    TORUS_PRECISE float at = u;
-    TORUS_PRECISE float shift = 0.0;
-    TORUS_PRECISE float rest = 0.0;
-    TORUS_PRECISE vec3 position = vec3(0.0, 0.0, 0.0);
-    bool again = true;
-    for (int i = 0; i < TORUS_LAST_STEPS && again; ++i) {
-        TORUS_ON_STEP
-        torus_Point point = torus_exactPoint(line, at);
-        TORUS_PRECISE float slope = rising ? point.halfSlope : -point.halfSlope;
-        TORUS_PRECISE float discriminant = slope * slope - point.halfCurvature * point.tube;
-        // Of the parabola's roots the one where it has this crossing's slope, in the form that does not cancel. The
-        // second form crosses an extremum. Where there is no root outside, it leads to the extremum itself: the line just
-        // misses, and both hits of that tangent are where it comes closest. Where there is none ahead inside, at a
-        // maximum between two dips so shallow that the search could not tell them apart, it goes on beyond that.
-        bool goesOn = outer && point.tube < 0.0 && point.halfCurvature < 0.0 && (slope < 0.0 || discriminant < 0.0);
-        TORUS_PRECISE float radicand = goesOn ? abs(discriminant) : max(discriminant, 0.0);
-        TORUS_PRECISE float root = sqrt(radicand);
-        bool direct = (slope >= 0.0 && discriminant >= 0.0) || point.halfCurvature == 0.0;
-        TORUS_PRECISE float across = goesOn ? -root - abs(slope) : root - slope;
-        TORUS_PRECISE float numerator = direct ? -point.tube : across;
-        TORUS_PRECISE float denominator = direct ? slope + root : point.halfCurvature;
-        TORUS_PRECISE float forwards = denominator != 0.0 ? numerator / denominator : 0.0;
-        TORUS_PRECISE float step = rising ? forwards : -forwards;
-        // The slope is known to some 2^-24, and the step to as much over the slope: a long step along a flat
-        // crossing, as of a ray nearly along a thin tube, needs another one. So does a step near the axis, where rho
-        // turns sharply: at the tip of a horn.
-        TORUS_PRECISE float longStep = TORUS_LONG_STEP * abs(slope);
-        TORUS_PRECISE float thirdOrder = point.sixthThird * step * step * step;
-        // The closer to the origin, the more digits t has.
-        TORUS_PRECISE float t = line.baseShift + point.shift;
-        TORUS_PRECISE float smallOrder = TORUS_THIRD_ORDER * root * min(abs(t), 1.0);
-        again = abs(step) > TORUS_LAST_STEP && (abs(step) > longStep || abs(thirdOrder) > smallOrder);
-        TORUS_PRECISE vec3 exactPosition = point.high + (point.low + step * line.direction);
-        TORUS_PRECISE float exactRest = point.shiftLow + step;
-        TORUS_PRECISE float next = at + step;
-        position = exactPosition;
-        shift = point.shift;
-        rest = exactRest;
-        at = next;
-    }
-    exactU = at;
-    TORUS_PRECISE vec3 scaled = position * line.unit;
-    TORUS_PRECISE float sum = line.baseShift + shift;
-    TORUS_PRECISE float t = (sum + (torus_sumError(line.baseShift, shift, sum) + rest)) * line.tPerU;
+// Private: the hit at the end of a line's last step.
+TorusHit torus_hitAt(torus_Line line, torus_End end, float tMin, float tMax) {
+    TORUS_PRECISE vec3 position = end.position * line.unit;
+    TORUS_PRECISE float sum = line.baseShift + end.shift;
+    TORUS_PRECISE float t = (sum + (torus_sumError(line.baseShift, end.shift, sum) + end.rest)) * line.tPerU;
     // Not min and max: of two zeros of different sign they may return either.
     t = t >= tMin ? t : tMin;
     t = t <= tMax ? t : tMax;
-    return TorusHit(t, scaled);
+    return TorusHit(t, position);
 }
 
 // Private: what is written where there is no hit. Comparisons with NaN are false, and so give 0.
 TorusHit torus_miss(float tMax) {
     return TorusHit(tMax >= -TORUS_FLOAT_MAX ? tMax : 0.0, vec3(0.0, 0.0, 0.0));
+}
+
+// Private: whether the line's last step was right and is not beyond the ray's end, and the hit if so. A hit that rounding
+// puts before the start is the one at the start.
+bool torus_reaches(torus_Line line, torus_End end, float tMin, float tMax, inout TorusHit hit) {
+    TorusHit found = torus_hitAt(line, end, tMin, tMax);
+    bool reached = end.right && end.u <= line.upper;
+    hit.t = reached ? found.t : hit.t;
+    hit.position = reached ? found.position : hit.position;
+    return reached;
 }
 
 // The nearest hit.
@@ -131,16 +97,26 @@ bool torusIntersect(Torus torus, vec3 origin, float tMin, vec3 direction, float 
     if (ray.meets) {
         torus_Line line = torus_reduce(ray, tMin, tMax);
         if (torus_cut(line)) {
-            float u = 0.0;
-            bool rising = false;
-            bool outer = false;
-            if (torus_firstCrossing(line, u, rising, outer)) {
-                float exactU;
-                TorusHit first = torus_hit(line, u, rising, outer, tMin, tMax, exactU);
-                // Only the far end is left to check: a hit that rounding puts before the start is the one at the start.
-                hits = exactU <= line.upper;
-                nearest.t = hits ? first.t : nearest.t;
-                nearest.position = hits ? first.position : nearest.position;
+            torus_Way way = torus_firstWay(line);
+            bool done = way.known;
+            if (way.found) {
+                torus_End end = torus_clearStep(line, way.u, false);
+                end.right = end.right && way.known;
+                done = end.right;
+                hits = torus_reaches(line, end, tMin, tMax, nearest);
+            }
+            if (!done) {
+                float u = way.u;
+                bool rising = false;
+                bool outer = false;
+                bool crosses = way.known;
+                if (!way.known) {
+                    crosses = torus_exactFirstCrossing(line, u, rising, outer);
+                }
+                if (crosses) {
+                    torus_End end = torus_exactSteps(line, u, rising, outer);
+                    hits = torus_reaches(line, end, tMin, tMax, nearest);
+                }
             }
         }
     }
@@ -189,16 +165,18 @@ int torusIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, floa
                 bool rising = i == 1 || i == 3;
                 bool outer = false;
                 bool exists = true;
+                bool clear = ways.known;
                 if (!ways.known) {
                     exists = torus_crossing(line, spans, i, true, u, rising, outer);
                     // The filter's start where it has one, so that the first hit is torusIntersect's to the bit.
-                    u = exists && ways.enters && count == 0 && !rising && u >= line.lower ? ways.first : u;
+                    clear = exists && ways.enters && count == 0 && !rising && u >= line.lower;
+                    u = clear ? ways.first : u;
                 }
                 // Where there is no crossing the last step would go on from anywhere to nowhere, as often as it may.
                 if (exists) {
-                    float exactU;
-                    TorusHit hit = torus_hit(line, u, rising, outer, from, tMax, exactU);
-                    if (exactU >= line.lower && exactU <= line.upper) {
+                    torus_End end = torus_lastStep(line, u, rising, outer, clear);
+                    TorusHit hit = torus_hitAt(line, end, from, tMax);
+                    if (end.u >= line.lower && end.u <= line.upper) {
                         hits[count] = hit;
                         from = hit.t;
                         ++count;

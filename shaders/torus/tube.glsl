@@ -40,13 +40,6 @@
 // Newton hops to and fro for ever near a tangent.
 #define TORUS_ROOT_STEP 0.0009765625
 #define TORUS_ROOT_VALUE 1.2e-7
-// Exact last steps to a root: one, and more where it is longer than this part of the slope, or where the third
-// derivative, which the parabola leaves out, moves the root by more than half this much. Where G is as flat as a cubic
-// (its extrema have just merged, on the surface) each halves the distance, until it is below the rounding of the hit.
-#define TORUS_LAST_STEPS 24
-#define TORUS_LONG_STEP 0.01
-#define TORUS_THIRD_ORDER 7.450580597e-9
-#define TORUS_LAST_STEP 9.313225746e-10
 // Nearer to the axis than this, in units, the direction of rho is lost in rounding: its slope, which jumps there, fades
 // to 0 instead of becoming anything.
 #define TORUS_AXIS 1.0e-6

@@ -8,6 +8,7 @@ namespace {
 constexpr const char* arithmetic = "torus/arithmetic.glsl";
 constexpr const char* line = "torus/line.glsl";
 constexpr const char* tube = "torus/tube.glsl";
+constexpr const char* lastStep = "torus/last_step.glsl";
 constexpr const char* torus = "torus/torus.glsl";
 
 constexpr Mutation rows[] = {
@@ -70,10 +71,31 @@ constexpr Mutation rows[] = {
     {"ring-distance-without-low", tube, "torus_sumError(root, -line.majorRadius, q) + rootLow",
      "torus_sumError(root, -line.majorRadius, q)", "the root's low part dropped"},
     {"curvature-sign", tube, "line.length2 - bend", "line.length2 + bend", "the bend of rho added"},
-    {"position-without-low", torus, "(point.low + step * line.direction)", "(step * line.direction)",
+    {"position-without-low", lastStep, "(point.low + step * line.direction)", "(step * line.direction)",
      "the point's low part dropped from the hit", Shows::InNumbers},
-    {"t-sum-rounded", torus, "(torus_sumError(line.baseShift, shift, sum) + rest)", "rest",
+    {"t-sum-rounded", torus, "(torus_sumError(line.baseShift, end.shift, sum) + end.rest)", "end.rest",
      "the sum's rounding dropped from t", Shows::InNumbers},
+
+    {"clear-split-coarse", lastStep, "#define TORUS_TO_10_BITS 12288.0", "#define TORUS_TO_10_BITS 1536.0",
+     "high parts longer than their squares may be", Shows::InNumbers},
+    {"clear-place-split-coarse", lastStep, "#define TORUS_TO_8_BITS 49152.0",
+     "#define TORUS_TO_8_BITS 3072.0", "high parts too long for an exact product", Shows::InNumbers},
+    {"clear-place-rounded", lastStep, "fine = (shift - coarse) + shiftLow", "fine = shift - coarse",
+     "position and t are of different points", Shows::InNumbers},
+    {"clear-direction-rounded", lastStep, "rest = coarse * dLow + (baseLow", "rest = (baseLow",
+     "the direction rounded to eleven bits"},
+    {"clear-base-rounded", lastStep, "baseLow = (line.base - baseHigh) + line.baseLow",
+     "baseLow = line.baseLow", "the origin rounded to nineteen bits", Shows::InNumbers},
+    {"clear-base-low-forgotten", lastStep, "baseLow = (line.base - baseHigh) + line.baseLow",
+     "baseLow = line.base - baseHigh", "what the shift from afar took in rounding is lost", Shows::InNumbers},
+    {"clear-point-rounded", lastStep, "low = (sum - high) + rest", "low = sum - high",
+     "the point's low part dropped"},
+    {"clear-root-rounded", lastStep, "rootLow = rootRest + residual * (0.5 * perRoot)", "rootLow = rootRest",
+     "the square root's rounding dropped", Shows::InNumbers},
+    {"clear-ring-rounded", lastStep, "qLow = rootLow - (R - majorHigh)", "qLow = rootLow",
+     "the major radius rounded to ten bits"},
+    {"clear-tube-rounded", lastStep, "tube = tubeHigh + tubeMore", "tube = tubeHigh",
+     "the low parts dropped from the value"},
 };
 
 }  // namespace

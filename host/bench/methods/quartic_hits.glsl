@@ -86,9 +86,9 @@ bool QUARTIC_INTERSECT(Torus torus, vec3 origin, float tMin, vec3 direction, flo
             float from = quarticFrom(line);
             float u = 0.0;
             if (QUARTIC_FIRST(line, state, inside, from, u)) {
-                float exactU;
-                TorusHit first = torus_hit(line, u, inside, false, tMin, tMax, exactU);
-                hits = exactU <= line.upper;
+                torus_End end = torus_lastStep(line, u, inside, false, true);
+                TorusHit first = torus_hitAt(line, end, tMin, tMax);
+                hits = end.u <= line.upper;
                 nearest.t = hits ? first.t : nearest.t;
                 nearest.position = hits ? first.position : nearest.position;
             }
@@ -129,9 +129,9 @@ int QUARTIC_INTERSECT_ALL(Torus torus, vec3 origin, float tMin, vec3 direction, 
             for (int i = 0; i < 4; ++i) {
                 float u = 0.0;
                 if (QUARTIC_ROOT(line, state, i, u)) {
-                    float exactU;
-                    TorusHit hit = torus_hit(line, u, i % 2 == 1, false, tMin, tMax, exactU);
-                    if (exactU >= line.lower && exactU <= line.upper) {
+                    torus_End end = torus_lastStep(line, u, i % 2 == 1, false, true);
+                    TorusHit hit = torus_hitAt(line, end, tMin, tMax);
+                    if (end.u >= line.lower && end.u <= line.upper) {
                         hits[count] = hit;
                         ++count;
                     }

@@ -61,9 +61,9 @@ bool marchIntersect(Torus torus, vec3 origin, float tMin, vec3 direction, float 
         bool inside = marchesInside(line);
         float u = line.lower;
         if (line.meets && marchOn(line, inversesqrt(line.length2), inside, u)) {
-            float exactU;
-            TorusHit found = torus_hit(line, u, inside, false, tMin, tMax, exactU);
-            hits = exactU <= line.upper;
+            torus_End end = torus_lastStep(line, u, inside, false, true);
+            TorusHit found = torus_hitAt(line, end, tMin, tMax);
+            hits = end.u <= line.upper;
             nearest.t = hits ? found.t : nearest.t;
             nearest.position = hits ? found.position : nearest.position;
         }
@@ -101,9 +101,9 @@ int marchIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, floa
             // Back on the same side: a graze, into the solid and out of it within the stopping distance.
             int crossings = before == inside ? 2 : 1;
             for (int i = 0; i < crossings && count < 4; ++i) {
-                float exactU;
-                TorusHit hit = torus_hit(line, met, i == 0 ? before : !before, false, tMin, tMax, exactU);
-                if (exactU <= line.upper) {
+                torus_End end = torus_lastStep(line, met, i == 0 ? before : !before, false, true);
+                TorusHit hit = torus_hitAt(line, end, tMin, tMax);
+                if (end.u <= line.upper) {
                     hits[count] = hit;
                     ++count;
                 }
