@@ -186,7 +186,12 @@ std::vector<SpecialLines> runAlongThinTubes() {
                          {-0x1.3ff0bap-1F, 0x1.3eb8b8p-2F, 0x1.6e966p-1F}));
     rays.push_back(along({-0x1.556b5ap-1F, 0x1.ecfae4p+1F, -0x1.3a8ee2p-1F},
                          {0x1.9a061ap-4F, -0x1.f28e5p-1F, 0x1.a2be64p-3F}));
-    return {{{1, 0x1.0624dep-10F}, rays}};
+    // Past a place that comes within 2e-6 r of the surface, on to a crossing.
+    const std::vector<Ray> pastNearMisses = {along({0x1.afc35ap+2F, 0x1.dae8ccp+2F, 0x1.eb6f36p-1F},
+                                                   {-0x1.7a63f4p-1F, -0x1.5569aap-1F, -0x1.8814c6p-4F}),
+                                             along({-0x1.cea5ccp+2F, -0x1.ba1c5ap+2F, 0x1.0f8b58p-3F},
+                                                   {0x1.4d0cdap-1F, 0x1.84cdd2p-1F, -0x1.d1fd5cp-7F})};
+    return {{{1, 0x1.0624dep-10F}, rays}, {{1, 0x1.47ae14p-7F}, pastNearMisses}};
 }
 
 // Crossings whose sine goes from 1/256 to 1/8, seen from as far as their last step begins at the origin

@@ -41,13 +41,15 @@ bool torus_crossing(torus_Line line, torus_Spans spans, int index, bool wanted, 
     rising = index == 1 || index == 3;
     bool inner = index == 1 || index == 2;
     bool exists = wanted && (atFirst ? spans.first : spans.second) && !(inner && spans.joined);
-    // Between the minima the bracket ends at the maximum if both dip; if one does, nothing else crosses beyond it.
-    bool split = inner && spans.first && spans.second;
-    outer = !split;
+    // Between the minima the bracket ends at the maximum, also if one of them alone dips: where the other nearly does, G
+    // is all rounding. Beyond that nothing else crosses then.
+    outer = !(inner && spans.first && spans.second);
     float minimum = atFirst ? spans.extrema.firstMinimum : spans.extrema.secondMinimum;
+    float other = atFirst ? spans.extrema.secondMinimum : spans.extrema.firstMinimum;
     float value = atFirst ? spans.extrema.firstValue : spans.extrema.secondValue;
     float flatness = atFirst ? spans.extrema.firstFlatness : spans.extrema.secondFlatness;
-    float outside = split ? spans.extrema.middle : (rising ? line.halfChord : -line.halfChord);
+    float between = spans.extrema.isBetween ? spans.extrema.middle : other;
+    float outside = inner && spans.extrema.hasSecond ? between : (rising ? line.halfChord : -line.halfChord);
     float start = torus_parabolaRoot(minimum, value, flatness, rising);
     u = torus_root(line, min(minimum, outside), max(minimum, outside), rising, start, exists);
     return exists;

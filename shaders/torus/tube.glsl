@@ -122,8 +122,9 @@ struct torus_Extrema {
     float secondValue;
     float secondFlatness;
     bool hasSecond;
-    float middle;             // the maximum between the two
+    float middle;             // the maximum between the two ...
     float middleValue;
+    bool isBetween;           // ... if there is one; else it is at one of them
 };
 
 // Whether rounding, or what is left of the way to an extremum of G, could turn the sign of G there.
@@ -277,6 +278,7 @@ torus_Extrema torus_extrema(torus_Line line) {
     // A maximum that is not between the minima is none: a pair of extrema has merged, and Newton was left with a place
     // where G is merely flat.
     bool between = middleAt > extrema.firstMinimum && middleAt < extrema.secondMinimum;
+    extrema.isBetween = between;
     extrema.middle = middleAt;
     extrema.middleValue = between ? middleValue : max(leftValue, rightValue);
     return extrema;
