@@ -21,7 +21,7 @@
 //     precision. Every step is `precise`, so drivers that round these operations correctly give the same bits.
 //
 // Where the device's fma() is known to round once, as that of most GPUs does and that of CPU drivers does not
-// (`raytorus doctor` asks), `#define TORUS_FUSED_FMA` before the include: the same bits with a seventh less code. Where it
+// (`raytorus doctor` asks), `#define TORUS_FUSED_FMA` before the include: the same bits with an eighth less code. Where it
 // rounds twice, that loses what this library is for.
 //
 // Needs GLSL 4.60 (or 4.50) with #extension GL_GOOGLE_include_directive, or a pasted copy of this folder's files.

@@ -1,27 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The floor of exactness: the library without all that finds a crossing. What its reduction costs, its culling, and one
-// exact last step from the end of the line that is left of the ray; any-hit needs no last step. Its answers are wrong,
-// and no method that begins and ends as exactly can be faster.
+// last step of a clear crossing from the end of the line that is left of the ray; any-hit needs no last step. Its answers
+// are wrong, and no method that begins and ends as exactly can be faster.
 #ifndef EXACT_ENDS_GLSL
 #define EXACT_ENDS_GLSL
 
 #include "torus/torus.glsl"
 
-// One step of torus_hit's loop, without the question whether it was enough.
+// The last step of a clear crossing, without the question whether this is one.
 TorusHit exactEndsHit(torus_Line line, float u, bool rising, float tMin, float tMax) {
-    torus_Point point = torus_exactPoint(line, u);
-    TORUS_PRECISE float slope = rising ? point.halfSlope : -point.halfSlope;
-    TORUS_PRECISE float discriminant = slope * slope - point.halfCurvature * point.tube;
-    TORUS_PRECISE float root = sqrt(max(discriminant, 0.0));
-    TORUS_PRECISE float forwards = -point.tube / (abs(slope) + root + line.minorRadius);
-    TORUS_PRECISE float step = rising ? forwards : -forwards;
-    TORUS_PRECISE vec3 position = (point.high + (point.low + step * line.direction)) * line.unit;
-    TORUS_PRECISE float sum = line.baseShift + point.shift;
-    TORUS_PRECISE float rest = torus_sumError(line.baseShift, point.shift, sum) + (point.shiftLow + step);
-    TORUS_PRECISE float t = (sum + rest) * line.tPerU;
-    t = t >= tMin ? t : tMin;
-    t = t <= tMax ? t : tMax;
-    return TorusHit(t, position);
+    return torus_hitAt(line, torus_clearStep(line, u, rising), tMin, tMax);
 }
 
 bool exactEndsIntersect(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out TorusHit hit) {
