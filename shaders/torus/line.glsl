@@ -69,7 +69,6 @@ struct torus_Ray {
     float length2;        // its squared length
     float perLength2;
     float shift;          // from the origin to the point closest to the centre, roughly, in lengths of `direction`
-    vec3 closest;         // that point
     float unit;
     float tPerU;
     float uPerT;
@@ -94,22 +93,24 @@ torus_Ray torus_scale(float majorRadius, float minorRadius, vec3 origin, float t
     // The direction stays as given, because normalising it would turn the ray by an ulp, which far away is more than
     // the torus' own rounding.
     TORUS_PRECISE float dd = d.x * d.x + d.y * d.y + d.z * d.z;
+    // Nothing waits for the division but what is in the branch.
     TORUS_PRECISE float perDd = 1.0 / dd;
     TORUS_PRECISE float shift = -(o.x * d.x + o.y * d.y + o.z * d.z) * perDd;
     TORUS_PRECISE float R = majorRadius * perUnit;
     TORUS_PRECISE float r = minorRadius * perUnit;
-    // Most rays that miss pass the bounding sphere by, and by more than rounding could be wrong.
-    TORUS_PRECISE vec3 closest = o + shift * d;
-    TORUS_PRECISE float closest2 = closest.x * closest.x + closest.y * closest.y + closest.z * closest.z;
+    // Most rays that miss pass the bounding sphere by, and by more than rounding could be wrong. Their distance from the
+    // centre by the moment, which needs no division.
+    TORUS_PRECISE float momentX = o.y * d.z - o.z * d.y;
+    TORUS_PRECISE float momentY = o.z * d.x - o.x * d.z;
+    TORUS_PRECISE float momentZ = o.x * d.y - o.y * d.x;
+    TORUS_PRECISE float moment2 = momentX * momentX + momentY * momentY + momentZ * momentZ;
     TORUS_PRECISE float around = (R + r) * 1.00001 + 1.0e-6 * (abs(o.x) + abs(o.y) + abs(o.z));
-    TORUS_PRECISE float around2 = around * around;
+    TORUS_PRECISE float around2 = around * around * dd;
     // Both are powers of two: no bit of t is lost on the way.
     TORUS_PRECISE float tPerU = unit * perDirectionUnit;
     TORUS_PRECISE float uPerT = directionUnit * perUnit;
-    // Where t of that point is beyond float32, so are the ends of the ray, and their differences no numbers.
-    TORUS_PRECISE float tClosest = abs(shift) * tPerU;
-    bool meets = valid && tMin <= tMax && closest2 <= around2 && tClosest <= TORUS_FLOAT_MAX;
-    return torus_Ray(meets, R, r, o, d, dd, perDd, shift, closest, unit, tPerU, uPerT);
+    bool meets = valid && tMin <= tMax && moment2 <= around2;
+    return torus_Ray(meets, R, r, o, d, dd, perDd, shift, unit, tPerU, uPerT);
 }
 
 // Reduces a ray that may meet the bounding sphere.
@@ -118,16 +119,17 @@ torus_Line torus_reduce(torus_Ray ray, float tMin, float tMax) {
     TORUS_PRECISE vec3 d = ray.direction;
     TORUS_PRECISE float R = ray.majorRadius;
     TORUS_PRECISE float r = ray.minorRadius;
-    TORUS_PRECISE float perDd = ray.perLength2;
     TORUS_PRECISE float tPerU = ray.tPerU;
     // Move to the foot of the perpendicular. Any parameter near the foot's does as long as the point that belongs to it
     // is known exactly; the second shift takes what the first one's rounding left. The rounding of that is more than
     // the search can do with from afar, and at the tips of horns and spindles.
+    TORUS_PRECISE float perDd = ray.perLength2;
     TORUS_PRECISE float firstShift = ray.shift;
+    TORUS_PRECISE vec3 closest = o + firstShift * d;
     vec3 base = o;
     vec3 baseLow = vec3(0.0, 0.0, 0.0);
     TORUS_PRECISE float baseShift = 0.0;
-    vec3 first = ray.closest;
+    vec3 first = closest;
     TORUS_PRECISE float ring = TORUS_RING * R;
     bool delicate = max(max(abs(o.x), abs(o.y)), abs(o.z)) > TORUS_AFAR || r > ring;
     if (delicate) {
@@ -153,7 +155,9 @@ torus_Line torus_reduce(torus_Ray ray, float tMin, float tMax) {
     TORUS_PRECISE float ends = ((min(tMax, TORUS_FLOAT_MAX) - baseT) - footT) * ray.uPerT;
     TORUS_PRECISE float lower = max(begins, -halfChord);
     TORUS_PRECISE float upper = min(ends, halfChord);
-    bool meets = halfChord2 > 0.0 && lower <= upper;
+    // Where t of the first point is beyond float32, so are the ends of the ray, and their differences no numbers.
+    TORUS_PRECISE float tClosest = abs(firstShift) * tPerU;
+    bool meets = halfChord2 > 0.0 && lower <= upper && tClosest <= TORUS_FLOAT_MAX;
     return torus_Line(meets, R, r, foot, base, baseLow, baseShift, shift, d, ray.length2, -halfChord, halfChord, lower,
                       upper, halfChord, tPerU, ray.unit);
 }

@@ -21,7 +21,7 @@ constexpr Mutation rows[] = {
      Shows::InNumbers},
     {"direction-unchecked", line, "&&\n                 longestUnit >= 1.0e-19 && longestUnit <= 1.0e19", "",
      "a zero direction divides by zero", Shows::InNumbers},
-    {"empty-interval-unchecked", line, "valid && tMin <= tMax && closest2", "valid && closest2",
+    {"empty-interval-unchecked", line, "valid && tMin <= tMax && moment2", "valid && moment2",
      "tMin > tMax, or a NaN, finds hits", Shows::InNumbers},
     {"validity-dropped", line, "meets = valid && tMin <= tMax", "meets = tMin <= tMax",
      "what was found invalid goes on", Shows::InNumbers},

@@ -94,6 +94,8 @@ constexpr Mutation rows[] = {
      "a tolerance in the wrong direction drops near misses"},
     {"crossing-though-joined", spans, "&& !(inner && spans.joined)", "",
      "crossings in the middle of one span are counted"},
+    {"moment-sign", line, "momentY = o.z * d.x - o.x * d.z", "momentY = o.z * d.x + o.x * d.z",
+     "rays through the bounding sphere are taken for passing it by"},
     {"bracket-past-a-near-miss", spans, "inner && spans.extrema.hasSecond ?",
      "inner && spans.first && spans.second ?",
      "the bracket of a crossing reaches past a dip that just misses", Shows::InNumbers},
