@@ -23,7 +23,7 @@
 // Steps of a search. More are needed near tangents and in the thinnest tubes alone, which it leaves to others; of a loop
 // as short as this, compilers make no loop.
 #define TORUS_SEARCH_STEPS 8
-// A crossing is near enough when Newton's next error is less than this part of r: the exact last step (torus_hit) cubes
+// A crossing is near enough when Newton's next error is less than this part of r: the last step (last_step.glsl) cubes
 // it.
 #define TORUS_SEARCH_ERROR 0.0009765625
 // Up to this, in R r (R + r)^2, rounding can have turned the sign of an extremum of f: four times what some ten

@@ -33,7 +33,7 @@ float torus_parabolaRoot(float minimum, float value, float flatness, bool rising
 }
 
 // The crossing `index` of the whole line (0 into, 1 out of the first span; 2 into, 3 out of the second) if it exists.
-// u is near it; torus_hit makes it exact. `rising` says whether it leads out, where G rises, `outer` whether the solid
+// u is near it; the last step makes it exact. `rising` says whether it leads out, where G rises, `outer` whether the solid
 // has no crossing beyond it.
 bool torus_crossing(torus_Line line, torus_Spans spans, int index, bool wanted, out float u, out bool rising,
                     out bool outer) {

@@ -36,7 +36,7 @@
 #define TORUS_SETTLE_STEPS 4
 #define TORUS_SETTLE_ORDER 0.125
 // A root is near enough when a step is shorter than this part of r: Newton has squared the error by then, and the exact
-// last step (torus_hit) cubes it. Or when G is less than this part of r (R + r), which is its rounding: without that,
+// last step (last_step.glsl) cubes it. Or when G is less than this part of r (R + r), which is its rounding: without that,
 // Newton hops to and fro for ever near a tangent.
 #define TORUS_ROOT_STEP 0.0009765625
 #define TORUS_ROOT_VALUE 1.2e-7

@@ -21,7 +21,7 @@ struct ReducedQuartic {
     float s;
     float k;        // K / dd: outer sheet where u^2 + k >= 0
     float reach;    // f is not negative at -reach and at reach: the bounding sphere
-    float enough;   // a step to a root that is shorter than this is the last: torus_hit does the rest
+    float enough;   // a step to a root that is shorter than this is enough: the last step does the rest
 };
 
 // Steps to a root; near a tangent Newton only halves the error, 24 halvings exhaust float32.
