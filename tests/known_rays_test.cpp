@@ -10,7 +10,7 @@
 #include "device_fixture.hpp"
 #include "reference/torus_reference.hpp"
 #include "render/tracer.hpp"
-#include "verify/trace_ray.hpp"
+#include "verify/questions.hpp"
 
 namespace raytorus {
 namespace {
@@ -72,13 +72,13 @@ TEST_F(NearHits, HaveAllDigitsOfTheirT) {
                             infinity});
         }
     }
-    render::Tracer tracer(test::device(), render::Query::Nearest, rays.size());
-    const std::span<const float> values = tracer.trace(1, minorRadius, verify::asTraceRays(rays));
+    const reference::Torus torus{1, minorRadius};
+    const std::vector<verify::Answers> answers =
+        verify::Questions(test::device(), rays.size()).ask(torus, rays);
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        const reference::Intersections truth = reference::intersect({1, minorRadius}, rays[i]);
+        const reference::Intersections truth = reference::intersect(torus, rays[i]);
         ASSERT_GE(truth.count, 1) << i;
-        render::NearestHit hit{};
-        std::memcpy(&hit, values.subspan(i * sizeof(hit) / sizeof(float)).data(), sizeof(hit));
+        const render::NearestHit& hit = answers[i].nearest;
         const double t = reference::toDouble(truth.hits[0].t);
         const double ulp = std::exp2(std::floor(std::log2(t)) - 23);
         EXPECT_EQ(hit.hit, 1.0F) << i;

@@ -202,7 +202,8 @@ std::vector<SpecialLines> crossAtSmallAngles() {
     for (const float minorRadius : {0.01F, 0.25F, 0.9F}) {
         std::vector<Ray> rays;
         for (int i = 0; i < count; ++i) {
-            // Multiples of the golden ratio's reciprocals fill a square and a circle evenly.
+            // Multiples of the reciprocals of the plastic and of the golden ratio fill a square and a circle
+            // evenly.
             const double aroundAxis = 2 * std::numbers::pi * std::fmod(0.7548776662466927 * i, 1.0);
             const double aroundTube = 2 * std::numbers::pi * std::fmod(0.5698402909980532 * i, 1.0);
             const double turn = 2 * std::numbers::pi * std::fmod(0.6180339887498949 * i, 1.0);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
+#include "torus_cxx_all.hpp"
+
 namespace torus_cxx {
 using namespace glm;
 inline float abs(float x) {
@@ -42,15 +44,7 @@ render::NearestHit cxxNearest(float majorRadius, float minorRadius, const render
 }
 
 render::AllHits cxxAll(float majorRadius, float minorRadius, const render::TraceRay& ray) {
-    torus_cxx::TorusHit hits[4] = {};
-    render::AllHits answer{};
-    answer.count = static_cast<float>(torus_cxx::torusIntersectAll(
-        {majorRadius, minorRadius}, vec3(ray.origin), ray.tMin, vec3(ray.direction), ray.tMax, hits));
-    for (int i = 0; i < 4; ++i) {
-        answer.t[i] = hits[i].t;
-        store(answer.position[i], hits[i].position);
-    }
-    return answer;
+    return allHits(torus_cxx::torusIntersectAll, torus_cxx::Torus{majorRadius, minorRadius}, ray);
 }
 
 float cxxAny(float majorRadius, float minorRadius, const render::TraceRay& ray) {

@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 
 #include "torus_cxx.hpp"
+#include "torus_cxx_all.hpp"
 
 namespace torus_cxx_fused {
 using namespace glm;
@@ -21,18 +22,7 @@ inline float fma(float a, float b, float c) {
 namespace raytorus::test {
 
 render::AllHits cxxAllFused(float majorRadius, float minorRadius, const render::TraceRay& ray) {
-    torus_cxx_fused::TorusHit hits[4] = {};
-    render::AllHits answer{};
-    answer.count = static_cast<float>(torus_cxx_fused::torusIntersectAll(
-        {majorRadius, minorRadius}, {ray.origin[0], ray.origin[1], ray.origin[2]}, ray.tMin,
-        {ray.direction[0], ray.direction[1], ray.direction[2]}, ray.tMax, hits));
-    for (int i = 0; i < 4; ++i) {
-        answer.t[i] = hits[i].t;
-        for (int k = 0; k < 3; ++k) {
-            answer.position[i][k] = hits[i].position[k];
-        }
-    }
-    return answer;
+    return allHits(torus_cxx_fused::torusIntersectAll, torus_cxx_fused::Torus{majorRadius, minorRadius}, ray);
 }
 
 float cxxProductErrorFused(float a, float b) {

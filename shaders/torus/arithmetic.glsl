@@ -27,6 +27,24 @@ float torus_upperHalf(float x) {
     return uintBitsToFloat(floatBitsToUint(x) & 0xfffff000u);
 }
 
+// x + one of these - the same is x rounded to a multiple of 2^-8, 2^-10, 2^-11 or 2^-19. The sum has to stay in its
+// binade: x may be a third of it.
+#define TORUS_TO_8_BITS 49152.0
+#define TORUS_TO_10_BITS 12288.0
+#define TORUS_TO_11_BITS 6144.0
+#define TORUS_TO_19_BITS 24.0
+float torus_rounded(float x, float magic) {
+    TORUS_PRECISE float sum = x + magic;
+    TORUS_PRECISE float rounded = sum - magic;
+    return rounded;
+}
+
+vec3 torus_rounded3(vec3 x, float magic) {
+    TORUS_PRECISE vec3 sum = x + magic;
+    TORUS_PRECISE vec3 rounded = sum - magic;
+    return rounded;
+}
+
 // a * b - product, exactly, for product = fl(a * b): Dekker's product (Numer. Math. 18, 1971, pp. 224-242), split by
 // bits, which takes half the operations of splitting by a multiplication, and no result out of range: products of
 // halves have 24 bits, and so has each of these sums. Exact unless the parts underflow. Not by fma() unless asked for:

@@ -14,12 +14,6 @@
 #define TORUS_LONG_STEP 0.01
 #define TORUS_THIRD_ORDER 7.450580597e-9
 #define TORUS_LAST_STEP 9.313225746e-10
-// x + one of these - the same is x rounded to a multiple of 2^-8, 2^-10, 2^-11 or 2^-19. The sum has to stay in its
-// binade: x may be a third of it.
-#define TORUS_TO_8_BITS 49152.0
-#define TORUS_TO_10_BITS 12288.0
-#define TORUS_TO_11_BITS 6144.0
-#define TORUS_TO_19_BITS 24.0
 // What is known to some 2^-31 of a unit is enough for a crossing that is not nearer to the axis than this, its t not
 // nearer to 0 in units, and the sine of the angle at which the line meets the surface, squared, not less than this: a
 // smaller one would magnify roundings.
@@ -36,18 +30,6 @@ struct torus_End {
     float u;        // the sum of both, from the line's foot
     bool right;     // false: not clear enough
 };
-
-float torus_rounded(float x, float magic) {
-    TORUS_PRECISE float sum = x + magic;
-    TORUS_PRECISE float rounded = sum - magic;
-    return rounded;
-}
-
-vec3 torus_rounded3(vec3 x, float magic) {
-    TORUS_PRECISE vec3 sum = x + magic;
-    TORUS_PRECISE vec3 rounded = sum - magic;
-    return rounded;
-}
 
 // The last step of a clear crossing, as nearly all are: by two thirds of the work, and by a shorter chain from one result
 // to the next. Numbers are split at a fixed place, not each at its own middle bit: sums of high parts then have no
@@ -92,26 +74,21 @@ torus_End torus_clearStep(torus_Line line, float u, bool rising) {
     TORUS_PRECISE float tubeHigh = (qHigh * qHigh + high.z * high.z) - minorHigh * minorHigh;
     TORUS_PRECISE float tubeMore = (qLow * (2.0 * qHigh + qLow) + more.z) - minorLow * (2.0 * minorHigh + minorLow);
     TORUS_PRECISE float tube = tubeHigh + tubeMore;
-    // As in torus_exactPoint. None of this waits for the tube, nor does the division by the slope.
+    // None of this waits for the tube, nor does the division by the slope.
     TORUS_PRECISE vec3 point = high + low;
-    TORUS_PRECISE float along = point.x * d.x + point.y * d.y;
-    TORUS_PRECISE float rootSlope = along * perRoot;
-    TORUS_PRECISE float halfSlope = (along + point.z * d.z) - R * rootSlope;
-    TORUS_PRECISE float acrossSlope = (point.x * d.y - point.y * d.x) * perRoot;
-    TORUS_PRECISE float bend = R * ((acrossSlope * acrossSlope) * perRoot);
-    TORUS_PRECISE float halfCurvature = line.length2 - bend;
-    TORUS_PRECISE float sixthThird = bend * rootSlope * perRoot;
+    torus_Slopes slopes = torus_slopes(line, point, perRoot);
+    TORUS_PRECISE float halfSlope = slopes.halfSlope;
     TORUS_PRECISE float leastSlope2 = TORUS_CLEAR_SINE2 * (r * r * line.length2);
     bool steep = halfSlope * halfSlope >= leastSlope2;
     TORUS_PRECISE float perSlope = 1.0 / (steep ? halfSlope : 1.0);
-    TORUS_PRECISE float flatness = halfCurvature * perSlope * perSlope;
+    TORUS_PRECISE float flatness = slopes.halfCurvature * perSlope * perSlope;
     // The parabola's root is 2 / (1 + sqrt(1 - e)) = 1 + e / 4 + e^2 / 8 + 5 e^3 / 64 + ... times that of the tangent.
     TORUS_PRECISE float e = flatness * tube;
     TORUS_PRECISE float tangent = -0.5 * perSlope * tube;
     TORUS_PRECISE float step = tangent + tangent * (e * (0.25 + e * (0.125 + 0.078125 * e)));
     TORUS_PRECISE float t = line.baseShift + shift;
     TORUS_PRECISE float longStep = TORUS_LONG_STEP * abs(halfSlope);
-    TORUS_PRECISE float thirdOrder = sixthThird * step * step * step;
+    TORUS_PRECISE float thirdOrder = slopes.sixthThird * step * step * step;
     TORUS_PRECISE float smallOrder = TORUS_THIRD_ORDER * abs(halfSlope) * min(abs(t), 1.0);
     bool right = steep && rising == (halfSlope > 0.0) && root >= TORUS_CLEAR_RHO && abs(t) >= TORUS_CLEAR_T &&
                  abs(e) <= TORUS_CLEAR_SERIES && abs(step) <= longStep && abs(thirdOrder) <= smallOrder;

@@ -125,11 +125,10 @@ torus_Line torus_reduce(torus_Ray ray, float tMin, float tMax) {
     // the search can do with from afar, and at the tips of horns and spindles.
     TORUS_PRECISE float perDd = ray.perLength2;
     TORUS_PRECISE float firstShift = ray.shift;
-    TORUS_PRECISE vec3 closest = o + firstShift * d;
     vec3 base = o;
     vec3 baseLow = vec3(0.0, 0.0, 0.0);
     TORUS_PRECISE float baseShift = 0.0;
-    vec3 first = closest;
+    TORUS_PRECISE vec3 first = o + firstShift * d;
     TORUS_PRECISE float ring = TORUS_RING * R;
     bool delicate = max(max(abs(o.x), abs(o.y)), abs(o.z)) > TORUS_AFAR || r > ring;
     if (delicate) {

@@ -67,19 +67,6 @@ bool torus_exactFirstCrossing(torus_Line line, out float u, out bool rising, out
     return torus_crossing(line, spans, index, inside || firstAhead || secondAhead, u, rising, outer);
 }
 
-// The same, by the filter where that knows it. The crossing may then lie beyond the interval.
-bool torus_firstCrossing(torus_Line line, out float u, out bool rising, out bool outer) {
-    torus_Way way = torus_firstWay(line);
-    bool crosses = way.found;
-    rising = false;
-    outer = false;
-    u = way.u;
-    if (!way.known) {
-        crosses = torus_exactFirstCrossing(line, u, rising, outer);
-    }
-    return crosses;
-}
-
 // Whether the interval holds any crossing: its ends lie on different sides, or a dip lies between them, or a gap.
 bool torus_exactCrosses(torus_Line line) {
     torus_Spans spans = torus_dips(line);

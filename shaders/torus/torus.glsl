@@ -97,6 +97,7 @@ bool torusIntersect(Torus torus, vec3 origin, float tMin, vec3 direction, float 
     if (ray.meets) {
         torus_Line line = torus_reduce(ray, tMin, tMax);
         if (torus_cut(line)) {
+            // What the filter does not know, or the clear step cannot make exact, goes the long way, in one branch.
             torus_Way way = torus_firstWay(line);
             bool done = way.known;
             if (way.found) {

@@ -75,6 +75,25 @@ struct torus_Point {
     float sixthThird;     // a sixth of G''' there: all of it is the bend of rho, which is sharp near the axis
 };
 
+// The derivatives of G at a point of the line, in plain float32.
+struct torus_Slopes {
+    float halfSlope;
+    float halfCurvature;
+    float sixthThird;
+};
+
+torus_Slopes torus_slopes(torus_Line line, vec3 point, float perRho) {
+    TORUS_PRECISE float along = point.x * line.direction.x + point.y * line.direction.y;
+    TORUS_PRECISE float rhoSlope = along * perRho;
+    TORUS_PRECISE float halfSlope = (along + point.z * line.direction.z) - line.majorRadius * rhoSlope;
+    // n - rho'^2 by Lagrange's identity, which keeps its digits near the axis, where the difference is all rounding.
+    TORUS_PRECISE float acrossSlope = (point.x * line.direction.y - point.y * line.direction.x) * perRho;
+    TORUS_PRECISE float bend = line.majorRadius * ((acrossSlope * acrossSlope) * perRho);
+    TORUS_PRECISE float halfCurvature = line.length2 - bend;
+    TORUS_PRECISE float sixthThird = bend * rhoSlope * perRho;
+    return torus_Slopes(halfSlope, halfCurvature, sixthThird);
+}
+
 torus_Point torus_exactPoint(torus_Line line, float u) {
     torus_Point point;
     // Any two floats that make up a place near u will do, as long as t is made of the same two.
@@ -99,17 +118,10 @@ torus_Point torus_exactPoint(torus_Line line, float u) {
     TORUS_PRECISE float tube = torus_squareDifference(q, z, line.minorRadius) +
                                ((2.0 * q + qLow) * qLow + 2.0 * (z * allLow.z));
     point.tube = tube;
-    TORUS_PRECISE float along = x * line.direction.x + y * line.direction.y;
-    TORUS_PRECISE float rootSlope = along * perRoot;
-    TORUS_PRECISE float halfSlope = (along + z * line.direction.z) - line.majorRadius * rootSlope;
-    point.halfSlope = halfSlope;
-    // n - rho'^2 by Lagrange's identity, which keeps its digits near the axis, where the difference is all rounding.
-    TORUS_PRECISE float acrossSlope = (x * line.direction.y - y * line.direction.x) * perRoot;
-    TORUS_PRECISE float bend = line.majorRadius * ((acrossSlope * acrossSlope) * perRoot);
-    TORUS_PRECISE float halfCurvature = line.length2 - bend;
-    point.halfCurvature = halfCurvature;
-    TORUS_PRECISE float sixthThird = bend * rootSlope * perRoot;
-    point.sixthThird = sixthThird;
+    torus_Slopes slopes = torus_slopes(line, point.high, perRoot);
+    point.halfSlope = slopes.halfSlope;
+    point.halfCurvature = slopes.halfCurvature;
+    point.sixthThird = slopes.sixthThird;
     return point;
 }
 
@@ -277,10 +289,9 @@ torus_Extrema torus_extrema(torus_Line line) {
     extrema.secondFlatness = mirrored ? leftFlatness : rightFlatness;
     // A maximum that is not between the minima is none: a pair of extrema has merged, and Newton was left with a place
     // where G is merely flat.
-    bool between = middleAt > extrema.firstMinimum && middleAt < extrema.secondMinimum;
-    extrema.isBetween = between;
+    extrema.isBetween = middleAt > extrema.firstMinimum && middleAt < extrema.secondMinimum;
     extrema.middle = middleAt;
-    extrema.middleValue = between ? middleValue : max(leftValue, rightValue);
+    extrema.middleValue = extrema.isBetween ? middleValue : max(leftValue, rightValue);
     return extrema;
 }
 

@@ -76,9 +76,9 @@ constexpr Mutation rows[] = {
     {"t-sum-rounded", torus, "(torus_sumError(line.baseShift, end.shift, sum) + end.rest)", "end.rest",
      "the sum's rounding dropped from t", Shows::InNumbers},
 
-    {"clear-split-coarse", lastStep, "#define TORUS_TO_10_BITS 12288.0", "#define TORUS_TO_10_BITS 1536.0",
+    {"clear-split-coarse", arithmetic, "#define TORUS_TO_10_BITS 12288.0", "#define TORUS_TO_10_BITS 1536.0",
      "high parts longer than their squares may be", Shows::InNumbers},
-    {"clear-place-split-coarse", lastStep, "#define TORUS_TO_8_BITS 49152.0",
+    {"clear-place-split-coarse", arithmetic, "#define TORUS_TO_8_BITS 49152.0",
      "#define TORUS_TO_8_BITS 3072.0", "high parts too long for an exact product", Shows::InNumbers},
     {"clear-place-rounded", lastStep, "fine = (shift - coarse) + shiftLow", "fine = shift - coarse",
      "position and t are of different points", Shows::InNumbers},

@@ -87,10 +87,7 @@ bool QUARTIC_INTERSECT(Torus torus, vec3 origin, float tMin, vec3 direction, flo
             float u = 0.0;
             if (QUARTIC_FIRST(line, state, inside, from, u)) {
                 torus_End end = torus_lastStep(line, u, inside, false, true);
-                TorusHit first = torus_hitAt(line, end, tMin, tMax);
-                hits = end.u <= line.upper;
-                nearest.t = hits ? first.t : nearest.t;
-                nearest.position = hits ? first.position : nearest.position;
+                hits = torus_reaches(line, end, tMin, tMax, nearest);
             }
         }
     }

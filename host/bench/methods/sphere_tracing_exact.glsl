@@ -62,10 +62,7 @@ bool marchIntersect(Torus torus, vec3 origin, float tMin, vec3 direction, float 
         float u = line.lower;
         if (line.meets && marchOn(line, inversesqrt(line.length2), inside, u)) {
             torus_End end = torus_lastStep(line, u, inside, false, true);
-            TorusHit found = torus_hitAt(line, end, tMin, tMax);
-            hits = end.u <= line.upper;
-            nearest.t = hits ? found.t : nearest.t;
-            nearest.position = hits ? found.position : nearest.position;
+            hits = torus_reaches(line, end, tMin, tMax, nearest);
         }
     }
     hit = nearest;
