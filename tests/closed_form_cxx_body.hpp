@@ -13,6 +13,12 @@ using vec2 = Vector2<Float>;
 using vec3 = Vector3<Float>;
 using uint = std::uint32_t;
 
+[[maybe_unused]] inline uint max(uint a, uint b) {
+    return a < b ? b : a;
+}
+[[maybe_unused]] inline uint min(uint a, uint b) {
+    return b < a ? b : a;
+}
 [[maybe_unused]] inline Float uintBitsToFloat(uint bits) {
     return Float(static_cast<double>(std::bit_cast<float>(bits)));
 }

@@ -108,6 +108,12 @@ inline Float clamp(Float x, Float low, Float high) {
     return min(max(x, low), high);
 }
 using uint = std::uint32_t;
+inline uint max(uint a, uint b) {
+    return a < b ? b : a;
+}
+inline uint min(uint a, uint b) {
+    return b < a ? b : a;
+}
 inline uint floatBitsToUint(Float x) {
     return std::bit_cast<uint>(x.value);
 }

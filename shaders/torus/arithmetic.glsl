@@ -12,11 +12,6 @@
 // Largest finite float32: what `tMax = infinity` is read as, so that nothing non-finite enters the arithmetic.
 #define TORUS_FLOAT_MAX 3.4028234e38
 
-// The power of two at or below a positive normal x; 0 for a denormal one.
-float torus_powerOfTwoBelow(float x) {
-    return uintBitsToFloat(floatBitsToUint(x) & 0x7f800000u);
-}
-
 // 1 / x for a power of two from 2^-126 to 2^126, exactly and without a division.
 float torus_powerOfTwoReciprocal(float x) {
     return uintBitsToFloat(0x7f000000u - floatBitsToUint(x));
@@ -27,12 +22,11 @@ float torus_upperHalf(float x) {
     return uintBitsToFloat(floatBitsToUint(x) & 0xfffff000u);
 }
 
-// x + one of these - the same is x rounded to a multiple of 2^-8, 2^-10, 2^-11 or 2^-19. The sum has to stay in its
-// binade: x may be a third of it.
+// x + one of these - the same is x rounded to a multiple of 2^-8, 2^-10 or 2^-11. The sum has to stay in its binade: x may
+// be a third of it.
 #define TORUS_TO_8_BITS 49152.0
 #define TORUS_TO_10_BITS 12288.0
 #define TORUS_TO_11_BITS 6144.0
-#define TORUS_TO_19_BITS 24.0
 float torus_rounded(float x, float magic) {
     TORUS_PRECISE float sum = x + magic;
     TORUS_PRECISE float rounded = sum - magic;

@@ -17,27 +17,39 @@ struct torus_Line {
     bool meets;            // false: no part of the ray is in the bounding sphere
     float majorRadius;     // R in units
     float minorRadius;     // r in units
-    vec3 foot;             // the point u = 0, which is closest to the centre, to some 3e-7
+    vec3 foot;             // the point closest to the centre, u = 0, to some 10^-6; torus_refine makes it better
+    float foot2;           // its squared distance from the centre
     vec3 base;             // the origin, in units; or a point near the foot ...
     vec3 baseLow;          // ... and what its rounding took away
     float baseShift;       // from the origin to the base, in lengths of `direction`
     float shift;           // from the base to the foot
     vec3 direction;
     float length2;         // its squared length
+    float perLength2;
+    float outer2;          // (R + r)^2
     float enter;           // where the line can be in the torus: in its bounding sphere and, once cut, between
     float leave;           //   z = -r and z = r. Outside the torus at both ends
     float lower;           // the searched interval of u: what [tMin, tMax] leaves of that
     float upper;
     float halfChord;       // the bounding sphere spans [-halfChord, halfChord]
     float tPerU;           // t = (baseShift + shift + u) * tPerU
+    float uPerT;
     float unit;            // length of one unit
 };
 
-// Room around the bounding sphere, relative to its squared radius. A ray in the plane z = 0 meets sphere and torus in
-// the same point: rounding (some 2^-22) must not put the torus' root outside the searched interval.
-#define TORUS_SPHERE_ROOM 1.00001
+// The bit patterns of the least and the largest powers of two for R + r and for the longest component of a direction, 2^-60 to
+// 2^59 and 2^-63 to 2^63: beyond, the reciprocals of the units, or their quotient, would leave float32.
+#define TORUS_LEAST_SIZE 0x21800000u
+#define TORUS_LARGEST_SIZE 0x5d000000u
+#define TORUS_LEAST_LENGTH 0x20000000u
+#define TORUS_LARGEST_LENGTH 0x5f000000u
 
-// Room around what a ray is tested against before anything of it is known exactly, in units: some ten roundings.
+// Room around the bounding sphere, relative to its squared radius. A ray in the plane z = 0 meets sphere and torus in
+// the same point: rounding (some 2^-20 where the origin is 8 units away) must not put the torus' root outside the
+// searched interval.
+#define TORUS_SPHERE_ROOM 1.00002
+
+// Room around the planes and the hole that cut a line, in units: some ten roundings.
 #define TORUS_ROOM 2.0e-6
 
 // An origin with a coordinate beyond this, in units, is far away.
@@ -59,133 +71,151 @@ vec3 torus_advance3(vec3 base, vec3 baseLow, float factor, float factorLow, vec3
     return vec3(x, y, z);
 }
 
+vec3 torus_cross(vec3 a, vec3 b) {
+    TORUS_PRECISE float x = a.y * b.z - a.z * b.y;
+    TORUS_PRECISE float y = a.z * b.x - a.x * b.z;
+    TORUS_PRECISE float z = a.x * b.y - a.y * b.x;
+    return vec3(x, y, z);
+}
+
 // A ray in units, and whether it is worth reducing.
 struct torus_Ray {
     bool meets;           // false: bad input, or the ray passes the bounding sphere by
     float majorRadius;
     float minorRadius;
-    vec3 origin;
+    vec3 base;            // base, baseLow and baseShift as of torus_Line
+    vec3 baseLow;
+    float baseShift;
     vec3 direction;       // as given, scaled by a power of two: its longest component is in [1, 2)
     float length2;        // its squared length
     float perLength2;
-    float shift;          // from the origin to the point closest to the centre, roughly, in lengths of `direction`
-    float unit;
+    float shift;          // from the base to the point closest to the centre, in lengths of `direction`
+    vec3 moment;          // base x direction
+    float moment2;        // its squared length
+    float outer2;         // (R + r)^2
+    float chord2;         // the square of the bounding sphere's half chord, times length2^2
     float tPerU;
     float uPerT;
+    float unit;
 };
 
 // A ray in units. What is known of it is computed for every ray, and no branch of this file returns early: compilers
-// carry each value that a branch may or may not have set through memory, from there to its last use.
+// carry each value that a branch may or may not have set through memory, from there to its last use. For the same reason
+// a far origin is moved first of all, when there is least to carry.
 torus_Ray torus_scale(float majorRadius, float minorRadius, vec3 origin, float tMin, vec3 direction, float tMax) {
-    float sizeUnit = torus_powerOfTwoBelow(majorRadius + minorRadius);
-    float longest = max(max(abs(direction.x), abs(direction.y)), abs(direction.z));
-    float longestUnit = torus_powerOfTwoBelow(longest);
-    // Outside these ranges the reciprocals of the units, or their quotient, would leave float32. The unit of 1e-18 is
-    // 2^-60.
-    bool valid = minorRadius > 0.0 && majorRadius >= 0.0 && sizeUnit >= 8.0e-19 && sizeUnit <= 1.0e18 &&
-                 longestUnit >= 1.0e-19 && longestUnit <= 1.0e19;
-    float unit = valid ? sizeUnit : 1.0;
-    float directionUnit = valid ? longestUnit : 1.0;
+    // Bit patterns of positive floats are in the order of the floats, with infinity and NaN behind all. The units are kept
+    // in their ranges by that order, so that nothing has to wait until it is known whether the ray is valid.
+    uint size = floatBitsToUint(majorRadius + minorRadius);
+    uint x = floatBitsToUint(direction.x) & 0x7fffffffu;
+    uint y = floatBitsToUint(direction.y) & 0x7fffffffu;
+    uint z = floatBitsToUint(direction.z) & 0x7fffffffu;
+    uint longest = max(max(x, y), z);
+    bool valid = minorRadius > 0.0 && majorRadius >= 0.0 && size >= TORUS_LEAST_SIZE &&
+                 size < TORUS_LARGEST_SIZE + 0x00800000u && longest >= TORUS_LEAST_LENGTH &&
+                 longest < TORUS_LARGEST_LENGTH + 0x00800000u && tMin <= tMax;
+    float unit = uintBitsToFloat(min(max(size & 0x7f800000u, TORUS_LEAST_SIZE), TORUS_LARGEST_SIZE));
+    float directionUnit =
+        uintBitsToFloat(min(max(longest & 0x7f800000u, TORUS_LEAST_LENGTH), TORUS_LARGEST_LENGTH));
     TORUS_PRECISE float perUnit = torus_powerOfTwoReciprocal(unit);
     TORUS_PRECISE float perDirectionUnit = torus_powerOfTwoReciprocal(directionUnit);
     TORUS_PRECISE vec3 o = origin * perUnit;
     TORUS_PRECISE vec3 d = direction * perDirectionUnit;
-    // The direction stays as given, because normalising it would turn the ray by an ulp, which far away is more than
-    // the torus' own rounding.
-    TORUS_PRECISE float dd = d.x * d.x + d.y * d.y + d.z * d.z;
-    // Nothing waits for the division but what is in the branch.
-    TORUS_PRECISE float perDd = 1.0 / dd;
-    TORUS_PRECISE float shift = -(o.x * d.x + o.y * d.y + o.z * d.z) * perDd;
     TORUS_PRECISE float R = majorRadius * perUnit;
     TORUS_PRECISE float r = minorRadius * perUnit;
-    // Most rays that miss pass the bounding sphere by, and by more than rounding could be wrong. Their distance from the
-    // centre by the moment, which needs no division.
-    TORUS_PRECISE float momentX = o.y * d.z - o.z * d.y;
-    TORUS_PRECISE float momentY = o.z * d.x - o.x * d.z;
-    TORUS_PRECISE float momentZ = o.x * d.y - o.y * d.x;
-    TORUS_PRECISE float moment2 = momentX * momentX + momentY * momentY + momentZ * momentZ;
-    TORUS_PRECISE float around = (R + r) * 1.00001 + 1.0e-6 * (abs(o.x) + abs(o.y) + abs(o.z));
-    TORUS_PRECISE float around2 = around * around * dd;
     // Both are powers of two: no bit of t is lost on the way.
     TORUS_PRECISE float tPerU = unit * perDirectionUnit;
     TORUS_PRECISE float uPerT = directionUnit * perUnit;
-    bool meets = valid && tMin <= tMax && moment2 <= around2;
-    return torus_Ray(meets, R, r, o, d, dd, perDd, shift, unit, tPerU, uPerT);
-}
-
-// Reduces a ray that may meet the bounding sphere.
-torus_Line torus_reduce(torus_Ray ray, float tMin, float tMax) {
-    TORUS_PRECISE vec3 o = ray.origin;
-    TORUS_PRECISE vec3 d = ray.direction;
-    TORUS_PRECISE float R = ray.majorRadius;
-    TORUS_PRECISE float r = ray.minorRadius;
-    TORUS_PRECISE float tPerU = ray.tPerU;
-    // Move to the foot of the perpendicular. Any parameter near the foot's does as long as the point that belongs to it
-    // is known exactly; the second shift takes what the first one's rounding left. The rounding of that is more than
-    // the search can do with from afar, and at the tips of horns and spindles.
-    TORUS_PRECISE float perDd = ray.perLength2;
-    TORUS_PRECISE float firstShift = ray.shift;
+    // The direction stays as given, because normalising it would turn the ray by an ulp, which far away is more than
+    // the torus' own rounding.
+    TORUS_PRECISE float dd = d.x * d.x + d.y * d.y + d.z * d.z;
+    TORUS_PRECISE float perDd = 1.0 / dd;
+    // From afar, move to the foot of the perpendicular. Any parameter near the foot's does as long as the point that
+    // belongs to it is known exactly. So it has to be at the tips of horns and spindles, too.
+    TORUS_PRECISE float ring = TORUS_RING * R;
+    bool delicate = max(max(abs(o.x), abs(o.y)), abs(o.z)) > TORUS_AFAR || r > ring;
     vec3 base = o;
     vec3 baseLow = vec3(0.0, 0.0, 0.0);
     TORUS_PRECISE float baseShift = 0.0;
-    TORUS_PRECISE vec3 first = o + firstShift * d;
-    TORUS_PRECISE float ring = TORUS_RING * R;
-    bool delicate = max(max(abs(o.x), abs(o.y)), abs(o.z)) > TORUS_AFAR || r > ring;
     if (delicate) {
-        first = torus_advance3(o, vec3(0.0, 0.0, 0.0), firstShift, 0.0, d, baseLow);
-        base = first;
-        baseShift = firstShift;
+        TORUS_PRECISE float toFoot = -(o.x * d.x + o.y * d.y + o.z * d.z) * perDd;
+        base = torus_advance3(o, vec3(0.0, 0.0, 0.0), toFoot, 0.0, d, baseLow);
+        baseShift = toFoot;
+        // Where t of this point is beyond float32, so are the ends of the ray, and their differences no numbers: a miss.
+        TORUS_PRECISE float t = abs(toFoot) * tPerU;
+        base.x = t <= TORUS_FLOAT_MAX ? base.x : TORUS_FLOAT_MAX;
     }
-    TORUS_PRECISE float secondShift = -(first.x * d.x + first.y * d.y + first.z * d.z) * perDd;
-    TORUS_PRECISE vec3 foot = (first + secondShift * d) + baseLow;
-    // Of a point that is but rounded to the foot the line's own u = 0 lies some 3e-7 before or behind: nothing rests on
-    // that, as long as all of t, and the ends, are counted from there.
-    TORUS_PRECISE float bothShifts = firstShift + secondShift;
-    TORUS_PRECISE float shift = delicate ? secondShift : bothShifts;
+    TORUS_PRECISE float shift = -(base.x * d.x + base.y * d.y + base.z * d.z) * perDd;
+    // Most rays that miss pass the bounding sphere by. Their distance from the centre by the moment, which needs no
+    // division: nothing waits for that but what is in the branch.
+    TORUS_PRECISE vec3 moment = torus_cross(base, d);
+    TORUS_PRECISE float moment2 = moment.x * moment.x + moment.y * moment.y + moment.z * moment.z;
+    TORUS_PRECISE float outer2 = (R + r) * (R + r);
+    TORUS_PRECISE float chord2 = TORUS_SPHERE_ROOM * outer2 * dd - moment2;
+    bool meets = valid && chord2 > 0.0;
+    return torus_Ray(meets, R, r, base, baseLow, baseShift, d, dd, perDd, shift, moment, moment2, outer2, chord2, tPerU,
+                     uPerT, unit);
+}
 
-    TORUS_PRECISE float outer = R + r;
-    TORUS_PRECISE float foot2 = foot.x * foot.x + foot.y * foot.y + foot.z * foot.z;
-    TORUS_PRECISE float halfChord2 = outer * outer * TORUS_SPHERE_ROOM - foot2;
-    TORUS_PRECISE float halfChord = sqrt(max(halfChord2, 0.0) * perDd);
+// Sets the searched interval: what the ends of the ray leave of [enter, leave].
+void torus_limit(inout torus_Line line, float tMin, float tMax) {
     // Infinite ends are legal; beyond the sphere every end is alike.
-    TORUS_PRECISE float baseT = baseShift * tPerU;
-    TORUS_PRECISE float footT = shift * tPerU;
-    TORUS_PRECISE float begins = ((max(tMin, -TORUS_FLOAT_MAX) - baseT) - footT) * ray.uPerT;
-    TORUS_PRECISE float ends = ((min(tMax, TORUS_FLOAT_MAX) - baseT) - footT) * ray.uPerT;
-    TORUS_PRECISE float lower = max(begins, -halfChord);
-    TORUS_PRECISE float upper = min(ends, halfChord);
-    // Where t of the first point is beyond float32, so are the ends of the ray, and their differences no numbers.
-    TORUS_PRECISE float tClosest = abs(firstShift) * tPerU;
-    bool meets = halfChord2 > 0.0 && lower <= upper && tClosest <= TORUS_FLOAT_MAX;
-    return torus_Line(meets, R, r, foot, base, baseLow, baseShift, shift, d, ray.length2, -halfChord, halfChord, lower,
-                      upper, halfChord, tPerU, ray.unit);
+    TORUS_PRECISE float begins = (max(tMin, -TORUS_FLOAT_MAX) * line.uPerT - line.baseShift) - line.shift;
+    TORUS_PRECISE float ends = (min(tMax, TORUS_FLOAT_MAX) * line.uPerT - line.baseShift) - line.shift;
+    line.lower = max(begins, line.enter);
+    line.upper = min(ends, line.leave);
+}
+
+// Reduces a ray that meets the bounding sphere, as well as a search for clear crossings needs it.
+torus_Line torus_reduce(torus_Ray ray, float tMin, float tMax) {
+    TORUS_PRECISE float perDd = ray.perLength2;
+    // o - d (o . d) / dd = d x (o x d) / dd (Lagrange), of which the moment is there already.
+    TORUS_PRECISE vec3 foot = torus_cross(ray.direction, ray.moment) * perDd;
+    TORUS_PRECISE float foot2 = ray.moment2 * perDd;
+    TORUS_PRECISE float halfChord = sqrt(max(ray.chord2, 0.0)) * perDd;
+    torus_Line line =
+        torus_Line(ray.meets, ray.majorRadius, ray.minorRadius, foot, foot2, ray.base, ray.baseLow, ray.baseShift,
+                   ray.shift, ray.direction, ray.length2, perDd, ray.outer2, -halfChord, halfChord, 0.0, 0.0,
+                   halfChord, ray.tPerU, ray.uPerT, ray.unit);
+    torus_limit(line, tMin, tMax);
+    line.meets = line.meets && line.lower <= line.upper;
+    return line;
 }
 
 // Cuts the searched interval by the planes z = -r and z = r. Returns whether anything is left of it that is not in the
 // hole.
 bool torus_cut(inout torus_Line line) {
-    TORUS_PRECISE vec3 d = line.direction;
-    TORUS_PRECISE float perDz = 1.0 / max(abs(d.z), 1.0e-30);
-    TORUS_PRECISE float footZ = d.z < 0.0 ? -line.foot.z : line.foot.z;
-    TORUS_PRECISE float slab = line.minorRadius + TORUS_ROOM;
-    TORUS_PRECISE float enter = max((-slab - footZ) * perDz, line.enter);
-    TORUS_PRECISE float leave = min((slab - footZ) * perDz, line.leave);
-    TORUS_PRECISE float lower = max(line.lower, enter);
-    TORUS_PRECISE float upper = min(line.upper, leave);
+    // Where the line crosses the plane z = 0, and how far it is from there to the others.
+    TORUS_PRECISE float rise = line.direction.z;
+    TORUS_PRECISE float perRise = 1.0 / (abs(rise) + 1.0e-30);
+    TORUS_PRECISE float middle = line.foot.z * (rise < 0.0 ? perRise : -perRise);
+    TORUS_PRECISE float halfSlab = (line.minorRadius + TORUS_ROOM) * perRise;
+    TORUS_PRECISE float slabEnter = middle - halfSlab;
+    TORUS_PRECISE float slabLeave = middle + halfSlab;
+    TORUS_PRECISE float enter = max(slabEnter, line.enter);
+    TORUS_PRECISE float leave = min(slabLeave, line.leave);
+    TORUS_PRECISE float lower = max(line.lower, slabEnter);
+    TORUS_PRECISE float upper = min(line.upper, slabLeave);
     line.enter = enter;
     line.leave = leave;
     line.lower = lower;
     line.upper = upper;
-    // rho is convex: where both ends are in the hole, so is all between.
-    TORUS_PRECISE float lowerX = line.foot.x + lower * d.x;
-    TORUS_PRECISE float lowerY = line.foot.y + lower * d.y;
-    TORUS_PRECISE float upperX = line.foot.x + upper * d.x;
-    TORUS_PRECISE float upperY = line.foot.y + upper * d.y;
-    TORUS_PRECISE float lowerRho2 = lowerX * lowerX + lowerY * lowerY;
-    TORUS_PRECISE float upperRho2 = upperX * upperX + upperY * upperY;
-    TORUS_PRECISE float hole = max(line.majorRadius - slab, 0.0);
-    TORUS_PRECISE float hole2 = hole * hole;
-    return line.meets && lower <= upper && max(lowerRho2, upperRho2) >= hole2;
+    // The distance from the centre is convex: where both ends are nearer to it than R - r, all between is in the hole.
+    TORUS_PRECISE float farthest2 = max(lower * lower, upper * upper) * line.length2 + line.foot2;
+    TORUS_PRECISE float hole = max(line.majorRadius - line.minorRadius - TORUS_ROOM, 0.0);
+    return line.meets && lower <= upper && farthest2 >= hole * hole;
+}
+
+// Makes foot, shift and ends as right as the exact solver needs them, to some 3e-7: from a point that is already near
+// the foot. What of [tMin, tMax] is searched is what a cut has left of it.
+void torus_refine(inout torus_Line line, float tMin, float tMax) {
+    TORUS_PRECISE vec3 d = line.direction;
+    TORUS_PRECISE vec3 beside = (line.base + line.shift * d) + line.baseLow;
+    TORUS_PRECISE float rest = -(beside.x * d.x + beside.y * d.y + beside.z * d.z) * line.perLength2;
+    TORUS_PRECISE vec3 foot = beside + rest * d;
+    TORUS_PRECISE float shift = line.shift + rest;
+    line.foot = foot;
+    line.shift = shift;
+    torus_limit(line, tMin, tMax);
 }
 
 #endif

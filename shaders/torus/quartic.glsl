@@ -27,7 +27,8 @@
 // it.
 #define TORUS_SEARCH_ERROR 0.0009765625
 // Up to this, in R r (R + r)^2, rounding can have turned the sign of an extremum of f: four times what some ten
-// roundings of a, of z and of the foot usually make of f near the surface. Clear is what is as many times further away.
+// roundings of a and of z usually make of f near the surface. Clear is what is as many times further away: that is four
+// times what the rounding of a foot can make of f that an origin 8 units away leads to.
 #define TORUS_FILTER_DOUBT 4.0e-6
 #define TORUS_FILTER_CLEAR 8.0
 // f bends by at least this part of the 4 R^2 / dd that it bends by in the tube: where it is flat, a small slope says
@@ -48,37 +49,44 @@ struct torus_Quartic {
     float enough;      // error of a crossing
 };
 
+// f and its slope at a place, and a there.
+struct torus_Value {
+    float a;
+    float f;
+    float slope;
+};
+
 torus_Quartic torus_quartic(torus_Line line) {
     TORUS_PRECISE float R = line.majorRadius;
     TORUS_PRECISE float r = line.minorRadius;
-    TORUS_PRECISE vec3 foot = line.foot;
-    TORUS_PRECISE float perDd = 1.0 / line.length2;
-    TORUS_PRECISE float k = (foot.x * foot.x + foot.y * foot.y + foot.z * foot.z - R * R - r * r) * perDd;
+    TORUS_PRECISE float perDd = line.perLength2;
+    TORUS_PRECISE float k = (line.foot2 - R * R - r * r) * perDd;
     TORUS_PRECISE float twoR = 2.0 * R * perDd;
-    TORUS_PRECISE float b0 = twoR * foot.z;
+    TORUS_PRECISE float b0 = twoR * line.foot.z;
     TORUS_PRECISE float b1 = twoR * line.direction.z;
     TORUS_PRECISE float edge = twoR * r;
     TORUS_PRECISE float bend = k + 0.5 * b1 * b1;
     TORUS_PRECISE float inflection = sqrt(max(bend * (-1.0 / 3.0), 0.0));
-    TORUS_PRECISE float leastBend = TORUS_FILTER_FLAT * line.length2 * twoR * twoR;
-    TORUS_PRECISE float size = (R + r) * perDd;
-    TORUS_PRECISE float clear = TORUS_FILTER_CLEAR * TORUS_FILTER_DOUBT * R * r * size * size;
+    TORUS_PRECISE float leastBend = 2.0 * TORUS_FILTER_FLAT * R * twoR;
+    TORUS_PRECISE float clear = 0.5 * TORUS_FILTER_CLEAR * TORUS_FILTER_DOUBT * line.outer2 * (edge * perDd);
     TORUS_PRECISE float enough = TORUS_SEARCH_ERROR * r;
     return torus_Quartic(k, b0, b1, edge, inflection, bend, leastBend, clear, enough);
 }
 
-float torus_quarticAt(torus_Quartic quartic, float b1, float u) {
+// On the line (b1 as it is) or on the mirrored one (-b1).
+torus_Value torus_quarticAt(torus_Quartic quartic, float b1, float u) {
     TORUS_PRECISE float a = u * u + quartic.k;
     TORUS_PRECISE float b = quartic.b0 + u * b1;
     TORUS_PRECISE float f = a * a + (b - quartic.edge) * (b + quartic.edge);
-    return f;
+    TORUS_PRECISE float slope = 4.0 * u * a + 2.0 * b1 * b;
+    return torus_Value(a, f, slope);
 }
 
 // Whether the line starts in what the filter knows: clearly outside a ring.
 bool torus_startsClear(torus_Line line, torus_Quartic quartic) {
     TORUS_PRECISE float ring = TORUS_RING * line.majorRadius;
     return line.minorRadius <= ring &&
-           (line.lower <= line.enter || torus_quarticAt(quartic, quartic.b1, line.lower) > quartic.clear);
+           (line.lower <= line.enter || torus_quarticAt(quartic, quartic.b1, line.lower).f > quartic.clear);
 }
 
 // A way into the solid, if it is `known` whether there is one.
@@ -96,10 +104,11 @@ torus_Way torus_search(torus_Quartic quartic, bool mirrored, float from, bool la
     TORUS_PRECISE float b1 = mirrored ? -quartic.b1 : quartic.b1;
     TORUS_PRECISE float twoB1 = 2.0 * b1;
     TORUS_PRECISE float middle = max(w, from);
-    TORUS_PRECISE float atMiddle = torus_quarticAt(quartic, b1, middle);
-    // From w to the left, or to the right, or unclear.
-    TORUS_PRECISE float laterSide = atMiddle < 0.0 ? -1.0 : 0.0;
-    bool laterKnown = abs(atMiddle) > quartic.clear;
+    TORUS_PRECISE float atMiddle = torus_quarticAt(quartic, b1, middle).f;
+    // From w to the left, or to the right, or unclear. Beyond w there is but one side.
+    bool beyondW = from >= w;
+    TORUS_PRECISE float laterSide = atMiddle < 0.0 && !beyondW ? -1.0 : 0.0;
+    bool laterKnown = beyondW || abs(atMiddle) > quartic.clear;
     TORUS_PRECISE float u = later ? middle : from;
     // A search has left its piece where this times u + w is positive.
     TORUS_PRECISE float side = later ? laterSide : 1.0;
@@ -148,8 +157,7 @@ torus_Way torus_search(torus_Quartic quartic, bool mirrored, float from, bool la
 }
 
 // The first way in of an interval that starts outside.
-torus_Way torus_firstWay(torus_Line line) {
-    torus_Quartic quartic = torus_quartic(line);
+torus_Way torus_firstWay(torus_Line line, torus_Quartic quartic) {
     bool later = line.lower >= -quartic.inflection;
     return torus_search(quartic, false, line.lower, later, true, torus_startsClear(line, quartic));
 }
@@ -166,8 +174,7 @@ struct torus_Ways {
     bool enters;   // whether there is a `first`, as torus_firstWay finds it, even if not all are known
 };
 
-torus_Ways torus_allWays(torus_Line line) {
-    torus_Quartic quartic = torus_quartic(line);
+torus_Ways torus_allWays(torus_Line line, torus_Quartic quartic) {
     TORUS_PRECISE float w = quartic.inflection;
     TORUS_PRECISE float end = -line.leave;
     bool known = torus_startsClear(line, quartic);

@@ -65,6 +65,14 @@ TorusHit torus_hitAt(torus_Line line, torus_End end, float tMin, float tMax) {
     return TorusHit(t, position);
 }
 
+// Private: the way from there to an end of the ray, in lengths of the direction. The end is exact, and t may be rounded:
+// from afar it has an ulp as long as the torus.
+float torus_wayTo(torus_Line line, torus_End end, float t) {
+    TORUS_PRECISE float finite = max(min(t, TORUS_FLOAT_MAX), -TORUS_FLOAT_MAX);
+    TORUS_PRECISE float way = ((finite * line.uPerT - line.baseShift) - end.shift) - end.rest;
+    return way;
+}
+
 // Private: what is written where there is no hit. Comparisons with NaN are false, and so give 0.
 TorusHit torus_miss(float tMax) {
     return TorusHit(tMax >= -TORUS_FLOAT_MAX ? tMax : 0.0, vec3(0.0, 0.0, 0.0));
@@ -74,7 +82,7 @@ TorusHit torus_miss(float tMax) {
 // puts before the start is the one at the start.
 bool torus_reaches(torus_Line line, torus_End end, float tMin, float tMax, inout TorusHit hit) {
     TorusHit found = torus_hitAt(line, end, tMin, tMax);
-    bool reached = end.right && end.u <= line.upper;
+    bool reached = end.right && torus_wayTo(line, end, tMax) >= 0.0;
     hit.t = reached ? found.t : hit.t;
     hit.position = reached ? found.position : hit.position;
     return reached;
@@ -98,10 +106,11 @@ bool torusIntersect(Torus torus, vec3 origin, float tMin, vec3 direction, float 
         torus_Line line = torus_reduce(ray, tMin, tMax);
         if (torus_cut(line)) {
             // What the filter does not know, or the clear step cannot make exact, goes the long way, in one branch.
-            torus_Way way = torus_firstWay(line);
+            torus_Quartic quartic = torus_quartic(line);
+            torus_Way way = torus_firstWay(line, quartic);
             bool done = way.known;
             if (way.found) {
-                torus_End end = torus_clearStep(line, way.u, false);
+                torus_End end = torus_clearStep(line, quartic, way.u, false);
                 end.right = end.right && way.known;
                 done = end.right;
                 hits = torus_reaches(line, end, tMin, tMax, nearest);
@@ -112,6 +121,7 @@ bool torusIntersect(Torus torus, vec3 origin, float tMin, vec3 direction, float 
                 bool outer = false;
                 bool crosses = way.known;
                 if (!way.known) {
+                    torus_refine(line, tMin, tMax);
                     crosses = torus_exactFirstCrossing(line, u, rising, outer);
                 }
                 if (crosses) {
@@ -134,7 +144,7 @@ bool torusOccluded(Torus torus, vec3 origin, float tMin, vec3 direction, float t
     if (ray.meets) {
         torus_Line line = torus_reduce(ray, tMin, tMax);
         if (torus_cut(line)) {
-            crosses = torus_crosses(line);
+            crosses = torus_crosses(line, tMin, tMax);
         }
     }
     return crosses;
@@ -154,9 +164,14 @@ int torusIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, floa
     if (ray.meets) {
         torus_Line line = torus_reduce(ray, tMin, tMax);
         if (torus_cut(line)) {
-            torus_Ways ways = torus_allWays(line);
+            torus_Quartic quartic = torus_quartic(line);
+            torus_Ways ways = torus_allWays(line, quartic);
             torus_Spans spans;
+            float roughShift = line.shift;
+            float exactShift = line.shift;
             if (!ways.known) {
+                torus_refine(line, tMin, tMax);
+                exactShift = line.shift;
                 spans = torus_dips(line);
             }
             float from = tMin;  // where a line touches, rounding must not swap the pair
@@ -175,9 +190,10 @@ int torusIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, floa
                 }
                 // Where there is no crossing the last step would go on from anywhere to nowhere, as often as it may.
                 if (exists) {
-                    torus_End end = torus_lastStep(line, u, rising, outer, clear);
+                    line.shift = clear ? roughShift : exactShift;
+                    torus_End end = torus_lastStep(line, quartic, u, rising, outer, clear);
                     TorusHit hit = torus_hitAt(line, end, from, tMax);
-                    if (end.u >= line.lower && end.u <= line.upper) {
+                    if (torus_wayTo(line, end, tMin) <= 0.0 && torus_wayTo(line, end, tMax) >= 0.0) {
                         hits[count] = hit;
                         from = hit.t;
                         ++count;

@@ -86,7 +86,7 @@ bool QUARTIC_INTERSECT(Torus torus, vec3 origin, float tMin, vec3 direction, flo
             float from = quarticFrom(line);
             float u = 0.0;
             if (QUARTIC_FIRST(line, state, inside, from, u)) {
-                torus_End end = torus_lastStep(line, u, inside, false, true);
+                torus_End end = torus_lastStep(line, torus_quartic(line), u, inside, false, true);
                 hits = torus_reaches(line, end, tMin, tMax, nearest);
             }
         }
@@ -126,10 +126,9 @@ int QUARTIC_INTERSECT_ALL(Torus torus, vec3 origin, float tMin, vec3 direction, 
             for (int i = 0; i < 4; ++i) {
                 float u = 0.0;
                 if (QUARTIC_ROOT(line, state, i, u)) {
-                    torus_End end = torus_lastStep(line, u, i % 2 == 1, false, true);
-                    TorusHit hit = torus_hitAt(line, end, tMin, tMax);
-                    if (end.u >= line.lower && end.u <= line.upper) {
-                        hits[count] = hit;
+                    torus_End end = torus_lastStep(line, torus_quartic(line), u, i % 2 == 1, false, true);
+                    if (torus_wayTo(line, end, tMin) <= 0.0 && torus_wayTo(line, end, tMax) >= 0.0) {
+                        hits[count] = torus_hitAt(line, end, tMin, tMax);
                         ++count;
                     }
                 }

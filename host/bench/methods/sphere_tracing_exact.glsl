@@ -61,7 +61,7 @@ bool marchIntersect(Torus torus, vec3 origin, float tMin, vec3 direction, float 
         bool inside = marchesInside(line);
         float u = line.lower;
         if (line.meets && marchOn(line, inversesqrt(line.length2), inside, u)) {
-            torus_End end = torus_lastStep(line, u, inside, false, true);
+            torus_End end = torus_lastStep(line, torus_quartic(line), u, inside, false, true);
             hits = torus_reaches(line, end, tMin, tMax, nearest);
         }
     }
@@ -98,10 +98,9 @@ int marchIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, floa
             // Back on the same side: a graze, into the solid and out of it within the stopping distance.
             int crossings = before == inside ? 2 : 1;
             for (int i = 0; i < crossings && count < 4; ++i) {
-                torus_End end = torus_lastStep(line, met, i == 0 ? before : !before, false, true);
-                TorusHit hit = torus_hitAt(line, end, tMin, tMax);
-                if (end.u <= line.upper) {
-                    hits[count] = hit;
+                torus_End end = torus_lastStep(line, torus_quartic(line), met, i == 0 ? before : !before, false, true);
+                if (torus_wayTo(line, end, tMax) >= 0.0) {
+                    hits[count] = torus_hitAt(line, end, tMin, tMax);
                     ++count;
                 }
             }

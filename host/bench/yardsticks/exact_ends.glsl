@@ -9,7 +9,8 @@
 
 // The last step of a clear crossing, without the question whether this is one.
 TorusHit exactEndsHit(torus_Line line, float u, bool rising, float tMin, float tMax) {
-    return torus_hitAt(line, torus_clearStep(line, u, rising), tMin, tMax);
+    torus_End end = torus_clearStep(line, torus_quartic(line), u, rising);
+    return torus_hitAt(line, end, tMin, tMax);
 }
 
 bool exactEndsIntersect(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out TorusHit hit) {
