@@ -13,6 +13,7 @@
 
 #include "device_fixture.hpp"
 #include "hit_judge.hpp"
+#include "reference/torus_reference.hpp"
 
 namespace raytorus {
 namespace {
@@ -167,6 +168,36 @@ TEST_F(ExtremeRanges, EndsAtAHitAndOneFloatBesideIt) {
     rays.push_back({{0, 0, 0}, -1, {1, 0, 0}, 1});
     test::HitJudge judge(rays.size());
     expectRight(judge, {1, 0.25F}, rays);
+}
+
+// From up to 8 units away, where an origin is not yet a far one, t has an ulp of 5e-7: an end one float
+// before or behind a hit of a thin tube does not go either way. The foot that a search begins with is not
+// right enough for that.
+TEST_F(ExtremeRanges, EndsBesideTheHitsOfOriginsThatAreNotYetFar) {
+    const Torus torus{1, 0.01F};
+    reference::RayParameters parameters;
+    parameters.torus = torus;
+    parameters.distance = 7.5;
+    parameters.seed = 8;
+    std::vector<Ray> rays;
+    for (Ray ray : reference::generateRays(RayClass::camera, parameters, 4000)) {
+        ray.tMin = 0;
+        ray.tMax = infinity;
+        const reference::Intersections truth = reference::intersect(torus, ray);
+        for (int i = 0; i < truth.count; ++i) {
+            const auto t = static_cast<float>(truth.hits[static_cast<std::size_t>(i)].t);
+            for (const float end : {std::nextafter(t, 0.0F), std::nextafter(t, infinity)}) {
+                Ray until = ray;
+                until.tMax = end;
+                Ray since = ray;
+                since.tMin = end;
+                rays.insert(rays.end(), {until, since});
+            }
+        }
+    }
+    ASSERT_GT(rays.size(), 4000U);
+    test::HitJudge judge(rays.size());
+    expectRight(judge, torus, rays);
 }
 
 }  // namespace

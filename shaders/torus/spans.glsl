@@ -82,15 +82,15 @@ bool torus_exactCrosses(torus_Line line) {
     return insideLower != insideUpper || (insideLower ? gapBetween : dipBetween);
 }
 
-// The same of a ray's line, by the filter where that knows it. Of a crossing near the ray's own end it does not.
-bool torus_crosses(torus_Line line, float tMin, float tMax) {
+// The same, by the filter where that knows it. Of a crossing near the ray's own end it does not.
+bool torus_crosses(torus_Line line) {
     torus_Way way = torus_firstWay(line, torus_quartic(line));
     TORUS_PRECISE float left = line.upper - way.u;
     bool ends = line.upper < line.leave && abs(left) <= line.minorRadius;
     bool crosses = way.found && left >= 0.0;
     if (!way.known || (way.found && ends)) {
         torus_Line refined = line;
-        torus_refine(refined, tMin, tMax);
+        torus_refine(refined);
         crosses = torus_exactCrosses(refined);
     }
     return crosses;

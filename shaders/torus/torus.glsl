@@ -121,7 +121,7 @@ bool torusIntersect(Torus torus, vec3 origin, float tMin, vec3 direction, float 
                 bool outer = false;
                 bool crosses = way.known;
                 if (!way.known) {
-                    torus_refine(line, tMin, tMax);
+                    torus_refine(line);
                     crosses = torus_exactFirstCrossing(line, u, rising, outer);
                 }
                 if (crosses) {
@@ -144,7 +144,7 @@ bool torusOccluded(Torus torus, vec3 origin, float tMin, vec3 direction, float t
     if (ray.meets) {
         torus_Line line = torus_reduce(ray, tMin, tMax);
         if (torus_cut(line)) {
-            crosses = torus_crosses(line, tMin, tMax);
+            crosses = torus_crosses(line);
         }
     }
     return crosses;
@@ -167,11 +167,8 @@ int torusIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, floa
             torus_Quartic quartic = torus_quartic(line);
             torus_Ways ways = torus_allWays(line, quartic);
             torus_Spans spans;
-            float roughShift = line.shift;
-            float exactShift = line.shift;
             if (!ways.known) {
-                torus_refine(line, tMin, tMax);
-                exactShift = line.shift;
+                torus_refine(line);
                 spans = torus_dips(line);
             }
             float from = tMin;  // where a line touches, rounding must not swap the pair
@@ -190,7 +187,6 @@ int torusIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, floa
                 }
                 // Where there is no crossing the last step would go on from anywhere to nowhere, as often as it may.
                 if (exists) {
-                    line.shift = clear ? roughShift : exactShift;
                     torus_End end = torus_lastStep(line, quartic, u, rising, outer, clear);
                     TorusHit hit = torus_hitAt(line, end, from, tMax);
                     if (torus_wayTo(line, end, tMin) <= 0.0 && torus_wayTo(line, end, tMax) >= 0.0) {

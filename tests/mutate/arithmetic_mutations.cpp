@@ -39,9 +39,6 @@ constexpr Mutation rows[] = {
 
     {"second-shift-missing", line, "shift = -(base.x * d.x + base.y * d.y + base.z * d.z) * perDd",
      "shift = 0.0", "from far away one shift does not reach the foot"},
-    {"refined-foot-missing", line,
-     "rest = -(beside.x * d.x + beside.y * d.y + beside.z * d.z) * line.perLength2", "rest = 0.0",
-     "the exact solver is left with the foot of the search", Shows::InNumbers},
     {"base-low-forgotten", line, "R, r, base, baseLow, baseShift", "R, r, base, vec3(0.0), baseShift",
      "what the shift from afar took in rounding is lost", Shows::InNumbers},
     {"nothing-is-afar", line, "> TORUS_AFAR || r > ring", "> 1.0e30 || r > ring",

@@ -46,10 +46,9 @@ constexpr Mutation rows[] = {
      "hits beyond the end are counted", Shows::InNumbers},
     {"all-first-pair", torus, "i < places", "i < min(places, 2)", "two hits for four"},
     {"all-one-by-one", torus, "++count;", "count = i + 1;", "entries before the first hit are counted"},
-    {"any-is-the-sphere", torus, "crosses = torus_crosses(line, tMin, tMax)", "crosses = true",
+    {"any-is-the-sphere", torus, "crosses = torus_crosses(line)", "crosses = true",
      "the bounding sphere throws the shadow"},
-    {"any-is-never", torus, "crosses = torus_crosses(line, tMin, tMax)", "crosses = false",
-     "no torus throws a shadow"},
+    {"any-is-never", torus, "crosses = torus_crosses(line)", "crosses = false", "no torus throws a shadow"},
 };
 
 }  // namespace
