@@ -11,7 +11,7 @@
 #define TORUS_ON_STEP
 #endif
 
-// The points base + baseLow + (shift + u) * direction. One unit is the power of two at or below R + r, so
+// The points base + baseLow + (shift + shiftRest + u) * direction. One unit is the power of two at or below R + r, so
 // R + r is in [1, 2).
 struct torus_Line {
     bool meets;            // false: no part of the ray is in the bounding sphere
@@ -22,7 +22,8 @@ struct torus_Line {
     vec3 base;             // the origin, in units; or a point near the foot ...
     vec3 baseLow;          // ... and what its rounding took away
     float baseShift;       // from the origin to the base, in lengths of `direction`
-    float shift;           // from the base to the foot
+    float shift;           // from the base to the foot ...
+    float shiftRest;       // ... and what is left of that, once it is refined
     vec3 direction;
     float length2;         // its squared length
     float perLength2;
@@ -166,7 +167,7 @@ torus_Line torus_reduce(torus_Ray ray, float tMin, float tMax) {
     TORUS_PRECISE float lower = max(begins, -halfChord);
     TORUS_PRECISE float upper = min(ends, halfChord);
     return torus_Line(ray.meets && lower <= upper, ray.majorRadius, ray.minorRadius, foot, foot2, ray.base, ray.baseLow,
-                      ray.baseShift, ray.shift, ray.direction, ray.length2, perDd, ray.outer2, -halfChord, halfChord,
+                      ray.baseShift, ray.shift, 0.0, ray.direction, ray.length2, perDd, ray.outer2, -halfChord, halfChord,
                       lower, upper, halfChord, ray.tPerU, ray.uPerT, ray.unit);
 }
 
@@ -194,11 +195,20 @@ bool torus_cut(inout torus_Line line) {
     return line.meets && lower <= upper && farthest2 >= hole * hole;
 }
 
-// Makes the foot as right as the exact solver needs it: the very point from which the ends of the ray are counted, rounded.
-// That it is not the closest one by some 10^-6 of a unit moves extrema, where G is flat.
+// Makes the foot as right as the exact solver needs it, to which a line that is not perpendicular to it has other extrema:
+// from the very point that belongs to the shift, which as a float of up to 16 could not be made better.
 void torus_refine(inout torus_Line line) {
+    TORUS_PRECISE vec3 d = line.direction;
     vec3 low;
-    line.foot = torus_advance3(line.base, line.baseLow, line.shift, 0.0, line.direction, low);
+    TORUS_PRECISE vec3 beside = torus_advance3(line.base, line.baseLow, line.shift, 0.0, d, low);
+    TORUS_PRECISE float rest = -(beside.x * d.x + beside.y * d.y + beside.z * d.z) * line.perLength2;
+    TORUS_PRECISE vec3 foot = beside + rest * d;
+    TORUS_PRECISE float lower = line.lower - rest;
+    TORUS_PRECISE float upper = line.upper - rest;
+    line.foot = foot;
+    line.shiftRest = rest;
+    line.lower = lower;
+    line.upper = upper;
 }
 
 #endif

@@ -167,8 +167,10 @@ int torusIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, floa
             torus_Quartic quartic = torus_quartic(line);
             torus_Ways ways = torus_allWays(line, quartic);
             torus_Spans spans;
+            float shiftRest = 0.0;
             if (!ways.known) {
                 torus_refine(line);
+                shiftRest = line.shiftRest;
                 spans = torus_dips(line);
             }
             float from = tMin;  // where a line touches, rounding must not swap the pair
@@ -187,6 +189,7 @@ int torusIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, floa
                 }
                 // Where there is no crossing the last step would go on from anywhere to nowhere, as often as it may.
                 if (exists) {
+                    line.shiftRest = clear ? 0.0 : shiftRest;
                     torus_End end = torus_lastStep(line, quartic, u, rising, outer, clear);
                     TorusHit hit = torus_hitAt(line, end, from, tMax);
                     if (torus_wayTo(line, end, tMin) <= 0.0 && torus_wayTo(line, end, tMax) >= 0.0) {

@@ -97,8 +97,9 @@ torus_Slopes torus_slopes(torus_Line line, vec3 point, float perRho) {
 torus_Point torus_exactPoint(torus_Line line, float u) {
     torus_Point point;
     // Any two floats that make up a place near u will do, as long as t is made of the same two.
-    TORUS_PRECISE float shift = line.shift + u;
-    TORUS_PRECISE float shiftLow = u - (shift - line.shift);
+    TORUS_PRECISE float place = line.shiftRest + u;
+    TORUS_PRECISE float shift = line.shift + place;
+    TORUS_PRECISE float shiftLow = place - (shift - line.shift);
     point.shift = shift;
     point.shiftLow = shiftLow;
     vec3 allLow;
