@@ -18,6 +18,7 @@ raytorus_add_tests(gpu_tests
         known_rays_test.cpp
         loose_arithmetic.cpp
         loose_arithmetic_test.cpp
+        once_compiled_test.cpp
         picture_checks.cpp
         picture_test.cpp
         pipeline_store_test.cpp

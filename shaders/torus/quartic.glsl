@@ -82,11 +82,12 @@ torus_Value torus_quarticAt(torus_Quartic quartic, float b1, float u) {
     return torus_Value(a, f, slope);
 }
 
-// Whether the line starts in what the filter knows: clearly outside a ring.
+// Whether the line starts in what the filter knows: clearly outside a ring. The radii alone decide no branch: there are
+// drivers that compile a shader anew for each submission, if a uniform decides one.
 bool torus_startsClear(torus_Line line, torus_Quartic quartic) {
     TORUS_PRECISE float ring = TORUS_RING * line.majorRadius;
-    return line.minorRadius <= ring &&
-           (line.lower <= line.enter || torus_quarticAt(quartic, quartic.b1, line.lower).f > quartic.clear);
+    bool outside = line.lower <= line.enter || torus_quarticAt(quartic, quartic.b1, line.lower).f > quartic.clear;
+    return outside && line.minorRadius <= ring;
 }
 
 // A way into the solid, if it is `known` whether there is one.
