@@ -138,8 +138,9 @@ TEST_F(WindowKey, GoesToThePictureWhileThePanelIsOpenAndToThePanelWhenAskedTo) {
 
     press({"F6"});
     await("focus", [](const Json& event) { return event["panel"] == true; });
-    hand({"key", "Down"});
-    hand({"key", "Escape"});
+    // Down and up again within a frame, as keys are of quick hands and slow devices.
+    hand({"key", "--delay", "0", "Down"});
+    hand({"key", "--delay", "0", "Escape"});
     bool orbited = false;
     for (Json event = nextEvent(); event["event"] != "focus"; event = nextEvent()) {
         orbited = orbited || event["event"] == "camera";

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/gui.hpp"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_vulkan.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -119,9 +122,42 @@ void Gui::stop() const {
     ImGui::DestroyContext();
 }
 
+// From 1.87 on ImGui does this itself; before, a frame has the keys that are down when it begins.
+void Gui::take([[maybe_unused]] const InputEvent& event) {
+#if IMGUI_VERSION_NUM < 18700
+    const bool key = event.type == InputEvent::Type::Key && !event.repeated;
+    if (key && event.code >= 0 && static_cast<std::size_t>(event.code) < keysDown.size()) {
+        keyEvents.push_back(event);
+    }
+#endif
+}
+
+void Gui::updateKeys() {
+#if IMGUI_VERSION_NUM < 18700
+    std::array<bool, 512> changed{};
+    for (bool pressed = false; !keyEvents.empty(); keyEvents.pop_front()) {
+        const InputEvent& event = keyEvents.front();
+        const auto key = static_cast<std::size_t>(event.code);
+        if (changed[key] || (event.pressed && pressed)) {
+            break;
+        }
+        changed[key] = true;
+        pressed = pressed || event.pressed;
+        keysDown[key] = event.pressed;
+    }
+    ImGuiIO& io = ImGui::GetIO();
+    std::ranges::copy(keysDown, io.KeysDown);
+    io.KeyCtrl = keysDown[GLFW_KEY_LEFT_CONTROL] || keysDown[GLFW_KEY_RIGHT_CONTROL];
+    io.KeyShift = keysDown[GLFW_KEY_LEFT_SHIFT] || keysDown[GLFW_KEY_RIGHT_SHIFT];
+    io.KeyAlt = keysDown[GLFW_KEY_LEFT_ALT] || keysDown[GLFW_KEY_RIGHT_ALT];
+    io.KeySuper = keysDown[GLFW_KEY_LEFT_SUPER] || keysDown[GLFW_KEY_RIGHT_SUPER];
+#endif
+}
+
 void Gui::begin() {
     ImGui_ImplVulkan_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    updateKeys();
     // Panels have the keys when told to, until Esc or the pointer takes them away: arrows are the camera's.
     ImGuiIO& io = ImGui::GetIO();
     const bool had = io.NavVisible;

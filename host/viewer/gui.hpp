@@ -4,6 +4,9 @@
 
 #include <vulkan/vulkan.h>
 
+#include <array>
+#include <deque>
+
 #include "gpu/context.hpp"
 #include "viewer/swapchain.hpp"
 #include "viewer/window.hpp"
@@ -23,6 +26,11 @@ public:
     Gui& operator=(const Gui&) = delete;
     ~Gui();
 
+    /// Keys for the panels. Each press has a frame of its own, so that neither a key that is up again by the
+    /// next frame is lost, nor the order of two.
+    void take(const InputEvent& event);
+    [[nodiscard]] bool wantsFrame() const { return !keyEvents.empty(); }
+
     /// Between these two, ImGui's functions may be called.
     void begin();
     void end();
@@ -38,9 +46,12 @@ public:
 private:
     void startDrawing(gpu::Context& context, const Swapchain& swapchain);
     void stop() const;
+    void updateKeys();
 
     gpu::Handle<VkDescriptorPool, vkDestroyDescriptorPool> pool;
     VkDevice device;
+    std::deque<InputEvent> keyEvents;  // those that no frame has had yet
+    std::array<bool, 512> keysDown{};  // by GLFW's numbers, as the last frame had them
 };
 
 }  // namespace raytorus::viewer

@@ -81,9 +81,10 @@ void ViewerLoop::round() {
     roundDrawing = 0.0;
     takeTime();
     for (const InputEvent& event : events) {
+        gui.take(event);
         take(event);
     }
-    if (window.takeRefresh() || !events.empty()) {
+    if (window.takeRefresh() || !events.empty() || gui.wantsFrame()) {
         dirtyFrames = uiFrames;
     }
     followFiles();
