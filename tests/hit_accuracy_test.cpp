@@ -11,6 +11,7 @@
 #include "device_fixture.hpp"
 #include "fresh_seed.hpp"
 #include "hit_judge.hpp"
+#include "verify/verifier.hpp"
 
 namespace raytorus {
 namespace {
@@ -88,6 +89,21 @@ TEST_F(Grazing, VerdictsAreNearlyAlwaysRight) {
         EXPECT_LE(static_cast<double>(all.faultCount), mayBeWrong * static_cast<double>(all.judged))
             << (all.faults.empty() ? "" : all.faults.front());
     }
+}
+
+// Where the margins are those of the rays as rounded, fewer are wrong: 5 runs had 0 to 2 of these. With a
+// foot for the exact solver that is not quite perpendicular to its line, which the bars above let pass, there
+// were 19 and 23.
+TEST_F(Grazing, ThinTubesAreRightToTheMargin) {
+    verify::Verifier verifier(test::device());
+    verify::Statistics all;
+    for (const double distance : {1.5, 3.0, 10.0, 100.0}) {
+        all.merge(
+            verifier.verify({RayClass::grazing, 0.001F, distance, 1e-6, 1e-4}, test::freshSeed(), 50000));
+    }
+    const std::uint64_t wrong = all.faultCount() - all.faultsOf(verify::Fault::Gross);
+    fmt::print("{} of {} wrong\n", wrong, all.judged());
+    EXPECT_LE(wrong, 10U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Classes, HitAccuracy, testing::ValuesIn([] {
