@@ -20,7 +20,8 @@ namespace {
 
 class OnceCompiled : public DeviceTest {};
 
-// Bytes of this process that are code but of no file, as a driver for the CPU compiles it. Linux tells.
+// Bytes of this process that are code but of no file, as a driver for the CPU compiles it. Linux tells. They
+// may become fewer at any time: a driver gives back what it has compiled with.
 std::size_t compiledBytes() {
     std::ifstream maps("/proc/self/maps");
     std::size_t bytes = 0;
@@ -60,7 +61,7 @@ TEST_F(OnceCompiled, Pictures) {
         while (!drawing.complete()) {
             drawRow();
         }
-        EXPECT_EQ(compiledBytes(), first)
+        EXPECT_LE(compiledBytes(), first)
             << (route == render::Route::Fragment ? "fragment" : "compute") << " route";
     }
 }
@@ -76,7 +77,7 @@ TEST_F(OnceCompiled, Traces) {
         for (int i = 1; i < 16; ++i) {
             EXPECT_GE(tracer.trace(1.0F, 0.25F, rays).front(), 1.0F);
         }
-        EXPECT_EQ(compiledBytes(), first) << "query " << static_cast<int>(query);
+        EXPECT_LE(compiledBytes(), first) << "query " << static_cast<int>(query);
     }
 }
 

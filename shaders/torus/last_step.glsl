@@ -105,9 +105,10 @@ torus_End torus_clearStep(torus_Line line, torus_Quartic quartic, float u, bool 
     TORUS_PRECISE float longStep = 0.5 * TORUS_LONG_STEP * slope;
     TORUS_PRECISE float thirdOrder = 8.0 * u * tangent * tangent * tangent;
     TORUS_PRECISE float smallOrder = 0.5 * TORUS_THIRD_ORDER * slope * min(abs(t), 1.0);
-    bool right = slope * slope >= leastSlope2 && slope > 0.0 && tube >= leastTube && abs(t) >= TORUS_CLEAR_T &&
-                 abs(quarterE) <= 0.25 * TORUS_CLEAR_SERIES && abs(tangent) * longer <= longStep &&
-                 abs(thirdOrder) <= smallOrder;
+    TORUS_PRECISE float slope2 = slope * slope;
+    TORUS_PRECISE float halfWay = abs(tangent) * longer;
+    bool right = slope2 >= leastSlope2 && slope > 0.0 && tube >= leastTube && abs(t) >= TORUS_CLEAR_T &&
+                 abs(quarterE) <= 0.25 * TORUS_CLEAR_SERIES && halfWay <= longStep && abs(thirdOrder) <= smallOrder;
     TORUS_PRECISE vec3 position = high + (low + step * d);
     TORUS_PRECISE float exactRest = shiftLow + step;
     return torus_End(position, shift, exactRest, right);
@@ -162,7 +163,8 @@ torus_End torus_exactSteps(torus_Line line, float u, bool rising, bool outer) {
 // The same, of a crossing that is to be tried as a `clear` one, as none is of a horn or a spindle.
 torus_End torus_lastStep(torus_Line line, torus_Quartic quartic, float u, bool rising, bool outer, bool clear) {
     torus_End end = torus_End(vec3(0.0, 0.0, 0.0), 0.0, 0.0, false);
-    if (clear && line.minorRadius <= TORUS_RING * line.majorRadius) {
+    TORUS_PRECISE float ring = TORUS_RING * line.majorRadius;
+    if (clear && line.minorRadius <= ring) {
         end = torus_clearStep(line, quartic, u, rising);
     }
     if (!end.right) {

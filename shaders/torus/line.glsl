@@ -192,7 +192,8 @@ bool torus_cut(inout torus_Line line) {
     // The distance from the centre is convex: where both ends are nearer to it than R - r, all between is in the hole.
     TORUS_PRECISE float farthest2 = max(lower * lower, upper * upper) * line.length2 + line.foot2;
     TORUS_PRECISE float hole = max(line.majorRadius - line.minorRadius - TORUS_ROOM, 0.0);
-    return line.meets && lower <= upper && farthest2 >= hole * hole;
+    TORUS_PRECISE float hole2 = hole * hole;
+    return line.meets && lower <= upper && farthest2 >= hole2;
 }
 
 // Makes the foot as right as the exact solver needs it, to which a line that is not perpendicular to it has other extrema:

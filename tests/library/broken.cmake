@@ -60,7 +60,7 @@ adds(files "taken in another language: far" "float torus_one(float far) { return
 
 adds(names "function wrongName" "float wrongName() { return 1.0; }")
 adds(names "structure Helper" "struct Helper { float x; }; Helper torus_help() { return Helper(1.0); }")
-adds(names "function torus_powerOfTwoBelow: overloaded" "vec2 torus_powerOfTwoBelow(vec2 v) { return v; }")
+adds(names "function torus_powerOfTwoReciprocal: overloaded" "vec2 torus_powerOfTwoReciprocal(vec2 v) { return v; }")
 adds(names "#define PRECISE: does not begin" "#define PRECISE")
 adds(names "variable torus_state: global" "float torus_state; float torus_get() { return torus_state; }")
 

@@ -8,7 +8,7 @@ set(arithmetic "FAdd|FSub|FMul|FDiv|VectorTimesScalar")
 # Negation rounds nothing, nor does a division of bit patterns.
 set(harmless "FNegate|\
 F(Ord|Unord)[A-Za-z]+|Logical[A-Za-z]+|Select|Phi|Label|Function|FunctionParameter|FunctionCall|Load|\
-AccessChain|Variable|Composite[A-Za-z]+|Bitcast|Bitwise[A-Za-z]+|IAdd|ISub|UDiv|IEqual|INotEqual|S(Less|Greater)Than(Equal)?|\
+AccessChain|Variable|Composite[A-Za-z]+|Bitcast|Bitwise[A-Za-z]+|IAdd|ISub|UDiv|IEqual|INotEqual|[SU](Less|Greater)Than(Equal)?|\
 Constant[A-Za-z]*|Type[A-Za-z]+|String|ExtInstImport")
 
 # check(<name> <extended instructions allowed> <functions that must be in it> <statements of main>)
@@ -51,7 +51,7 @@ void main() {
     endif()
 endfunction()
 
-set(decides "Sqrt|FAbs|FMin|FMax|FClamp")
+set(decides "Sqrt|FAbs|FMin|FMax|FClamp|UMin|UMax")
 check(hits "${decides}" "torusIntersect;torusOccluded;torusIntersectAll" "    TorusHit hit;
     TorusHit hits[4];
     vec3 origin = vec3(f[2], f[3], f[4]);
