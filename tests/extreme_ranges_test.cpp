@@ -70,6 +70,27 @@ TEST_F(ExtremeRanges, ThinAndThickToriAreRightOnClearRays) {
     }
 }
 
+// From so far away that a moment about the centre is rounded by as much as the torus is long: whoever tells
+// by it which rays pass by has to leave room for that.
+TEST_F(ExtremeRanges, RaysFromVeryFarMeetTheOuterEquator) {
+    constexpr std::uint64_t raysPerCase = 2000;
+    test::HitJudge judge(raysPerCase);
+    for (const float minorRadius : {0.01F, 0.9F, 1.5F}) {
+        for (const double distance : {1e6, 1e7, 1e8}) {
+            for (const RayClass rayClass : {RayClass::equatorial, RayClass::camera}) {
+                reference::RayParameters parameters;
+                parameters.torus = {1.0F, minorRadius};
+                parameters.distance = distance;
+                parameters.seed = 7;
+                SCOPED_TRACE(
+                    fmt::format("{} r {} from {:g}", reference::nameOf(rayClass), minorRadius, distance));
+                expectRight(judge, {1.0F, minorRadius},
+                            reference::generateRays(rayClass, parameters, raysPerCase));
+            }
+        }
+    }
+}
+
 // One float as another's multiple, saturating: t may leave what floats hold.
 float times(double x, double factor) {
     const double product = x * factor;

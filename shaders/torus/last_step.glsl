@@ -23,8 +23,6 @@
 #define TORUS_CLEAR_SINE2 0.00390625
 // The series for the parabola's root ends with its third term: the fourth is 5/64 of the third power of this.
 #define TORUS_CLEAR_SERIES 0.015625
-// The least slope that is divided by.
-#define TORUS_LEAST_SLOPE 1.0e-12
 
 struct torus_End {
     vec3 position;  // in units
@@ -84,11 +82,12 @@ torus_End torus_clearStep(torus_Line line, torus_Quartic quartic, float u, bool 
                                 (aLow * (aHigh + a) - (scaleHigh * bLow + scaleLow * b));
     TORUS_PRECISE float perDd = line.perLength2;
     TORUS_PRECISE float f = exact * (perDd * perDd);
-    // Slope and bend are the search's own, so that nothing of this waits for f, nor does the division.
+    // Slope and bend are the search's own, so that nothing of this waits for f, nor does the division. Without a slope it
+    // gives nothing that is right.
     torus_Value at = torus_quarticAt(quartic, quartic.b1, u);
     TORUS_PRECISE float slope = rising ? at.slope : -at.slope;
-    TORUS_PRECISE float perSlope = 1.0 / max(slope, TORUS_LEAST_SLOPE);
-    TORUS_PRECISE float halfBend = 2.0 * quartic.bend + 6.0 * u * u;
+    TORUS_PRECISE float perSlope = 1.0 / slope;
+    TORUS_PRECISE float halfBend = 6.0 * (u * u + quartic.bend);
     // f = G (G + 4 R rho) / dd^2: by 4 R rho / dd^2 its slope is longer than that of G.
     TORUS_PRECISE float ring = scale * perDd;
     TORUS_PRECISE float tube = 2.0 * at.a + ring;

@@ -39,7 +39,7 @@ struct torus_Line {
 };
 
 // The bit patterns of the least and the largest powers of two for R + r and for the longest component of a direction, 2^-60 to
-// 2^59 and 2^-63 to 2^63: beyond, the reciprocals of the units, or their quotient, would leave float32.
+// 2^59 and 2^-63 to 2^63. A ray beyond is none: the reciprocals of the units, or their quotient, would leave float32.
 #define TORUS_LEAST_SIZE 0x21800000u
 #define TORUS_LARGEST_SIZE 0x5d000000u
 #define TORUS_LEAST_LENGTH 0x20000000u
@@ -55,6 +55,10 @@ struct torus_Line {
 
 // An origin with a coordinate beyond this, in units, is far away.
 #define TORUS_AFAR 8.0
+// Of such an origin o the moment m = o x d is off by up to e = sqrt(3) 2^-23 |o| |d|, and |o|^2 is at most three times the
+// square of its largest component. (|m| + e)^2 <= 17/16 |m|^2 + 17 e^2: what is beyond that passes the bounding sphere by.
+#define TORUS_AFAR_ROOM 1.0626
+#define TORUS_AFAR_ROUNDING 2.2e-12
 
 // A ring whose hole is as small as this leaves has no tip: nearer to a horn, whose sheets meet, the exact solver does all.
 #define TORUS_RING 0.9375
@@ -104,8 +108,8 @@ struct torus_Ray {
 // carry each value that a branch may or may not have set through memory, from there to its last use. For the same reason
 // a far origin is moved first of all, when there is least to carry.
 torus_Ray torus_scale(float majorRadius, float minorRadius, vec3 origin, float tMin, vec3 direction, float tMax) {
-    // Bit patterns of positive floats are in the order of the floats, with infinity and NaN behind all. The units are kept
-    // in their ranges by that order, so that nothing has to wait until it is known whether the ray is valid.
+    // Bit patterns of positive floats are in the order of the floats, with infinity and NaN behind all. What is made of an
+    // invalid ray may be anything: `meets` is false then, and no branch is taken in which it would be used.
     uint size = floatBitsToUint(majorRadius + minorRadius);
     uint x = floatBitsToUint(direction.x) & 0x7fffffffu;
     uint y = floatBitsToUint(direction.y) & 0x7fffffffu;
@@ -114,9 +118,8 @@ torus_Ray torus_scale(float majorRadius, float minorRadius, vec3 origin, float t
     bool valid = minorRadius > 0.0 && majorRadius >= 0.0 && size >= TORUS_LEAST_SIZE &&
                  size < TORUS_LARGEST_SIZE + 0x00800000u && longest >= TORUS_LEAST_LENGTH &&
                  longest < TORUS_LARGEST_LENGTH + 0x00800000u && tMin <= tMax;
-    float unit = uintBitsToFloat(min(max(size & 0x7f800000u, TORUS_LEAST_SIZE), TORUS_LARGEST_SIZE));
-    float directionUnit =
-        uintBitsToFloat(min(max(longest & 0x7f800000u, TORUS_LEAST_LENGTH), TORUS_LARGEST_LENGTH));
+    float unit = uintBitsToFloat(size & 0x7f800000u);
+    float directionUnit = uintBitsToFloat(longest & 0x7f800000u);
     TORUS_PRECISE float perUnit = torus_powerOfTwoReciprocal(unit);
     TORUS_PRECISE float perDirectionUnit = torus_powerOfTwoReciprocal(directionUnit);
     TORUS_PRECISE vec3 o = origin * perUnit;
@@ -130,17 +133,28 @@ torus_Ray torus_scale(float majorRadius, float minorRadius, vec3 origin, float t
     // the torus' own rounding.
     TORUS_PRECISE float dd = d.x * d.x + d.y * d.y + d.z * d.z;
     TORUS_PRECISE float perDd = 1.0 / dd;
-    // From afar, move to the foot of the perpendicular. Any parameter near the foot's does as long as the point that
-    // belongs to it is known exactly. So it has to be at the tips of horns and spindles, too.
+    // From afar, move to the foot of the perpendicular, unless the ray clearly passes the torus by. Any parameter near the
+    // foot's does as long as the point that belongs to it is known exactly. So it has to be at the tips of horns and
+    // spindles, too.
     TORUS_PRECISE float ring = TORUS_RING * R;
-    bool delicate = max(max(abs(o.x), abs(o.y)), abs(o.z)) > TORUS_AFAR || r > ring;
+    TORUS_PRECISE float farthest = max(max(abs(o.x), abs(o.y)), abs(o.z));
+    bool delicate = farthest > TORUS_AFAR || r > ring;
     vec3 base = o;
     vec3 baseLow = vec3(0.0, 0.0, 0.0);
     TORUS_PRECISE float baseShift = 0.0;
     if (delicate) {
-        TORUS_PRECISE float toFoot = -(o.x * d.x + o.y * d.y + o.z * d.z) * perDd;
-        base = torus_advance3(o, vec3(0.0, 0.0, 0.0), toFoot, 0.0, d, baseLow);
-        baseShift = toFoot;
+        // The moment of the origin, not yet of the base: kept in here, so that nearby rays have nothing to carry.
+        TORUS_PRECISE vec3 away = torus_cross(o, d);
+        TORUS_PRECISE float away2 = away.x * away.x + away.y * away.y + away.z * away.z;
+        TORUS_PRECISE float sphere2 = TORUS_AFAR_ROOM * ((R + r) * (R + r)) + TORUS_AFAR_ROUNDING * (farthest * farthest);
+        TORUS_PRECISE float passing2 = sphere2 * dd;
+        // Beyond all numbers it is not known.
+        bool passes = away2 > passing2;
+        if (!passes) {
+            TORUS_PRECISE float toFoot = -(o.x * d.x + o.y * d.y + o.z * d.z) * perDd;
+            base = torus_advance3(o, vec3(0.0, 0.0, 0.0), toFoot, 0.0, d, baseLow);
+            baseShift = toFoot;
+        }
     }
     TORUS_PRECISE float shift = -(base.x * d.x + base.y * d.y + base.z * d.z) * perDd;
     // Most rays that miss pass the bounding sphere by. Their distance from the centre by the moment, which needs no
@@ -160,7 +174,7 @@ torus_Line torus_reduce(torus_Ray ray, float tMin, float tMax) {
     // o - d (o . d) / dd = d x (o x d) / dd (Lagrange), of which the moment is there already.
     TORUS_PRECISE vec3 foot = torus_cross(ray.direction, ray.moment) * perDd;
     TORUS_PRECISE float foot2 = ray.moment2 * perDd;
-    TORUS_PRECISE float halfChord = sqrt(max(ray.chord2, 0.0)) * perDd;
+    TORUS_PRECISE float halfChord = sqrt(ray.chord2) * perDd;
     // Infinite ends are legal; what lies beyond the largest t is beyond these.
     TORUS_PRECISE float begins = (max(tMin, -TORUS_FLOAT_MAX) * ray.uPerT - ray.baseShift) - ray.shift;
     TORUS_PRECISE float ends = (min(tMax, TORUS_FLOAT_MAX) * ray.uPerT - ray.baseShift) - ray.shift;
@@ -193,7 +207,7 @@ bool torus_cut(inout torus_Line line) {
     TORUS_PRECISE float farthest2 = max(lower * lower, upper * upper) * line.length2 + line.foot2;
     TORUS_PRECISE float hole = max(line.majorRadius - line.minorRadius - TORUS_ROOM, 0.0);
     TORUS_PRECISE float hole2 = hole * hole;
-    return line.meets && lower <= upper && farthest2 >= hole2;
+    return lower <= upper && farthest2 >= hole2;
 }
 
 // Makes the foot as right as the exact solver needs it, to which a line that is not perpendicular to it has other extrema:

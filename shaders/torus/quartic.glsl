@@ -34,7 +34,7 @@
 // f bends by at least this part of the 4 R^2 / dd that it bends by in the tube: where it is flat, a small slope says
 // nothing of a dip's depth, and a small bend nothing of the next error.
 #define TORUS_FILTER_FLAT 0.0625
-// The slope where nothing has been seen of f yet.
+// The steepness where nothing has been seen of f yet.
 #define TORUS_UNSEEN 1.0e30
 
 struct torus_Quartic {
@@ -43,10 +43,10 @@ struct torus_Quartic {
     float b1;
     float edge;
     float inflection;  // w; 0 where f is convex everywhere
-    float bend;        // f'' = 12 u^2 + 4 bend
-    float leastBend;
+    float bend;        // f'' = 12 (u^2 + bend)
+    float leastBend;   // of the same unit: f'' / 12
     float clear;       // an extremum of f further from 0 than this has its sign
-    float enough;      // error of a crossing
+    float enough;      // a sixth of the error of a crossing that is near enough
 };
 
 // f and its slope at a place, and a there.
@@ -65,11 +65,11 @@ torus_Quartic torus_quartic(torus_Line line) {
     TORUS_PRECISE float b0 = twoR * line.foot.z;
     TORUS_PRECISE float b1 = twoR * line.direction.z;
     TORUS_PRECISE float edge = twoR * r;
-    TORUS_PRECISE float bend = k + 0.5 * b1 * b1;
-    TORUS_PRECISE float inflection = sqrt(max(bend * (-1.0 / 3.0), 0.0));
-    TORUS_PRECISE float leastBend = 2.0 * TORUS_FILTER_FLAT * R * twoR;
+    TORUS_PRECISE float bend = (k + 0.5 * b1 * b1) * (1.0 / 3.0);
+    TORUS_PRECISE float inflection = sqrt(max(-bend, 0.0));
+    TORUS_PRECISE float leastBend = TORUS_FILTER_FLAT / 3.0 * R * twoR;
     TORUS_PRECISE float clear = 0.5 * TORUS_FILTER_CLEAR * TORUS_FILTER_DOUBT * line.outer2 * (edge * perDd);
-    TORUS_PRECISE float enough = TORUS_SEARCH_ERROR * r;
+    TORUS_PRECISE float enough = TORUS_SEARCH_ERROR / 6.0 * r;
     return torus_Quartic(k, b0, b1, edge, inflection, bend, leastBend, clear, enough);
 }
 
@@ -108,52 +108,53 @@ torus_Way torus_search(torus_Quartic quartic, bool mirrored, float from, bool la
     TORUS_PRECISE float atMiddle = torus_quarticAt(quartic, b1, middle).f;
     // From w to the left, or to the right, or unclear. Beyond w there is but one side.
     bool beyondW = from >= w;
-    TORUS_PRECISE float laterSide = atMiddle < 0.0 && !beyondW ? -1.0 : 0.0;
+    bool toTheLeft = atMiddle < 0.0 && !beyondW;
     bool laterKnown = beyondW || abs(atMiddle) > quartic.clear;
+    // A start outside and f(w) < 0 have a way in between.
+    bool laterMayMiss = !(both && toTheLeft);
     TORUS_PRECISE float u = later ? middle : from;
-    // A search has left its piece where this times u + w is positive.
-    TORUS_PRECISE float side = later ? laterSide : 1.0;
-    TORUS_PRECISE float before = TORUS_UNSEEN;
-    TORUS_PRECISE float f = 0.0;
-    TORUS_PRECISE float slope = 0.0;
-    TORUS_PRECISE float halfBend = 0.0;
     bool early = !later;
+    // How steep the last tangent was, of a piece of which one has been seen.
+    TORUS_PRECISE float before = TORUS_UNSEEN;
     bool found = false;
-    bool known = wanted && (!later || laterKnown);
-    bool busy = known;
+    bool known = false;
+    bool busy = wanted && (early || laterKnown);
     for (int i = 0; i < TORUS_SEARCH_STEPS && busy; ++i) {
         TORUS_ON_STEP
-        TORUS_PRECISE float a = u * u + quartic.k;
+        TORUS_PRECISE float uu = u * u;
+        TORUS_PRECISE float a = uu + quartic.k;
         TORUS_PRECISE float b = quartic.b0 + u * b1;
-        TORUS_PRECISE float fourU = 4.0 * u;
-        f = a * a + (b - quartic.edge) * (b + quartic.edge);
-        slope = fourU * a + twoB1 * b;
-        halfBend = 2.0 * quartic.bend + 1.5 * fourU * u;
+        TORUS_PRECISE float f = a * a + (b - quartic.edge) * (b + quartic.edge);
+        TORUS_PRECISE float slope = 4.0 * u * a + twoB1 * b;
         TORUS_PRECISE float step = f / slope;
-        TORUS_PRECISE float beyond = side * (u + w);
-        bool past = slope >= 0.0 || beyond > 0.0;
-        TORUS_PRECISE float error = step * step * (abs(halfBend) + quartic.leastBend);
-        TORUS_PRECISE float enough = quartic.enough * abs(slope);
+        // Behind a minimum, or out of its piece: of those found from w only a gap's search, which need not end before it.
+        bool leaves = early ? u > -w : !both && toTheLeft && u < -w;
+        bool past = slope >= 0.0 || leaves;
+        TORUS_PRECISE float steep = abs(slope);
+        TORUS_PRECISE float error = step * step * (abs(uu + quartic.bend) + quartic.leastBend);
+        TORUS_PRECISE float enough = quartic.enough * steep;
         found = !past && error <= enough;
         // The tangents before and behind an extremum meet beyond it.
         TORUS_PRECISE float met = abs(f * before);
-        TORUS_PRECISE float least = quartic.clear * (abs(before) + abs(slope));
-        bool again = past && !later && both;
-        // A start outside and f(w) < 0 have a way in between.
-        bool odd = both && side < 0.0;
-        known = !past || (met > least && !odd && (laterKnown || !again));
-        busy = known && !found && (!past || again);
+        TORUS_PRECISE float least = quartic.clear * (before + steep);
+        bool mayMiss = early ? laterKnown : laterMayMiss;
+        bool sure = !past || (met > least && mayMiss);
+        // Past the early piece it begins again from w.
+        bool goesOn = past ? early : !found;
+        known = sure && !goesOn;
+        busy = sure && goesOn;
         TORUS_PRECISE float next = u - step;
         u = past ? middle : next;
-        before = past ? TORUS_UNSEEN : slope;
-        side = past ? laterSide : side;
-        later = later || past;
+        before = past ? TORUS_UNSEEN : steep;
         early = early && !past;
     }
-    // The depth of a dip is that of the parabola at its edge.
-    TORUS_PRECISE float depth = 0.25 * slope * slope - f * halfBend;
-    TORUS_PRECISE float shallow = quartic.clear * (abs(halfBend) + quartic.leastBend);
-    known = known && !busy && (!found || depth > shallow);
+    // The depth of a dip is that of the parabola at its edge. What the loop does not have to keep costs less to be found
+    // once more: CPU drivers mask each value that leaves a branch, in each step.
+    torus_Value at = torus_quarticAt(quartic, b1, u);
+    TORUS_PRECISE float bend = u * u + quartic.bend;
+    TORUS_PRECISE float depth = (1.0 / 24.0) * at.slope * at.slope - at.f * bend;
+    TORUS_PRECISE float shallow = quartic.clear * (abs(bend) + quartic.leastBend);
+    known = known && (!found || depth > shallow);
     return torus_Way(known, found, u, early);
 }
 

@@ -34,7 +34,7 @@ constexpr Mutation rows[] = {
      Shows::InNumbers},
     {"misses-past-the-count", torus, "hits[i] = torus_miss(tMax)", "hits[i] = torus_miss(0.0)",
      "entries past the count hold something else", Shows::InNumbers},
-    {"strict-ends", line, "ray.meets && lower <= upper", "ray.meets && lower < upper - 1.0e-3",
+    {"strict-ends", line, "return lower <= upper && farthest2", "return lower < upper - 1.0e-3 && farthest2",
      "short segments are thrown away", Shows::InNumbers},
     {"trace-ends-swapped", trace, "float tMin = rays[ray + 3u]", "float tMin = rays[ray + 7u]",
      "tMin read from tMax' place", Shows::InNumbers},
