@@ -20,9 +20,7 @@ raytorus_add_tests(bench_tests
         device_fixture.cpp
         program_bench_test.cpp
         run_program.cpp
-    LIBRARIES raytorus::bench raytorus_bench_defective raytorus_bench_fickle nlohmann_json::nlohmann_json)
+    LIBRARIES raytorus::bench raytorus_bench_defective raytorus_bench_fickle raytorus_patterns
+        nlohmann_json::nlohmann_json)
 add_dependencies(bench_tests raytorus-bench)
 target_compile_definitions(bench_tests PRIVATE RAYTORUS_BENCH="$<TARGET_FILE:raytorus-bench>")
-
-# g++ 12 warns of std::regex by mistake when it sanitizes (GCC bug 105562).
-set_source_files_properties(program_bench_test.cpp PROPERTIES COMPILE_OPTIONS -Wno-maybe-uninitialized)

@@ -30,13 +30,10 @@ raytorus_add_tests(cli_tests
         program_doctor_test.cpp
         program_explain_test.cpp
         program_documentation_test.cpp
-    LIBRARIES raytorus::cli raytorus::methods nlohmann_json::nlohmann_json)
+    LIBRARIES raytorus::cli raytorus::methods raytorus_patterns nlohmann_json::nlohmann_json)
 add_dependencies(cli_tests raytorus raytorus_cli_test_shaders)
 target_compile_definitions(cli_tests PRIVATE
     RAYTORUS_PROGRAM="$<TARGET_FILE:raytorus>"
     RAYTORUS_PROJECT_VERSION="${PROJECT_VERSION}"
     RAYTORUS_SHADER_FOLDER="${PROJECT_BINARY_DIR}/shaders/raytorus_shaders"
     RAYTORUS_TEST_SHADER_FOLDER="${CMAKE_CURRENT_BINARY_DIR}/raytorus_cli_test_shaders")
-# g++ 12 warns of std::regex by mistake when it sanitizes (GCC bug 105562).
-set_source_files_properties(program_doctor_test.cpp program_documentation_test.cpp
-    PROPERTIES COMPILE_OPTIONS -Wno-maybe-uninitialized)

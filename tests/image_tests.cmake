@@ -22,6 +22,4 @@ raytorus_add_tests(image_tests
         compare_command_test.cpp
         # The command itself, without the program around it.
         "${PROJECT_SOURCE_DIR}/host/cli/compare_command.cpp"
-    LIBRARIES raytorus::image PkgConfig::OIIO CLI11::CLI11 nlohmann_json::nlohmann_json)
-# g++ 12 warns of std::regex by mistake when it sanitizes (GCC bug 105562).
-set_source_files_properties(report_browser_test.cpp PROPERTIES COMPILE_OPTIONS -Wno-maybe-uninitialized)
+    LIBRARIES raytorus::image raytorus_patterns PkgConfig::OIIO CLI11::CLI11 nlohmann_json::nlohmann_json)

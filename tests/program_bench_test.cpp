@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include <regex>
 
 #include "bench/timed_method.hpp"
 #include "core/error.hpp"
+#include "patterns.hpp"
 #include "run_program.hpp"
 #include "scratch_folder.hpp"
 
@@ -225,9 +225,8 @@ TEST_F(ProgramBench, SaysWhyItCannotCountMachineCode) {
 // The words of an example, where quotes keep words together.
 Arguments wordsOf(const std::string& line) {
     Arguments words;
-    const std::regex word(R"re('([^']*)'|(\S+))re");
-    for (std::sregex_iterator i(line.begin(), line.end(), word), end; i != end; ++i) {
-        words.push_back((*i)[1].matched ? (*i)[1] : (*i)[2]);
+    for (const PatternMatch& word : matchesIn(line, R"re('([^']*)'|(\S+))re")) {
+        words.push_back(word[1] + word[2]);
     }
     return words;
 }
@@ -238,12 +237,11 @@ TEST_F(ProgramBench, HelpsWithExamplesThatWork) {
     EXPECT_NE(help.find("Exit codes: "), std::string::npos);
     EXPECT_EQ(expectOk({"--version"}).substr(0, 15), "raytorus-bench ");
     const std::string examples = help.substr(help.find("Examples:\n"));
-    const std::regex command(R"re(\n  (?:LP_NUM_THREADS=1 )?raytorus-bench(.*))re");
-    std::size_t count = 0;
-    for (std::sregex_iterator i(examples.begin(), examples.end(), command), end; i != end; ++i, ++count) {
-        expectOk(wordsOf((*i)[1]) + Arguments{"--list"});
+    const auto commands = matchesIn(examples, R"re(\n  (?:LP_NUM_THREADS=1 )?raytorus-bench(.*))re");
+    EXPECT_GE(commands.size(), 6U);
+    for (const PatternMatch& command : commands) {
+        expectOk(wordsOf(command[1]) + Arguments{"--list"});
     }
-    EXPECT_GE(count, 6U);
 }
 
 }  // namespace

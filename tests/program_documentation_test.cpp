@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // docs/cli.md is true: its exit codes are those of the program and of error.hpp, and its examples work.
-#include <regex>
 #include <sstream>
 
+#include "patterns.hpp"
 #include "program_test.hpp"
 
 namespace raytorus::test {
@@ -13,10 +13,8 @@ using Rows = std::map<int, std::string>;
 // The two groups of every match: number and text.
 Rows rowsOf(const std::string& text, const char* pattern) {
     Rows rows;
-    const std::regex expression(pattern);
-    for (std::sregex_iterator match(text.begin(), text.end(), expression), end; match != end; ++match) {
-        EXPECT_TRUE(rows.emplace(std::stoi((*match)[1]), (*match)[2]).second)
-            << (*match)[1] << " is there twice";
+    for (const PatternMatch& match : matchesIn(text, pattern)) {
+        EXPECT_TRUE(rows.emplace(std::stoi(match[1]), match[2]).second) << match[1] << " is there twice";
     }
     return rows;
 }
@@ -46,9 +44,8 @@ TEST_F(ProgramDocumentation, ExitCodesAreThoseOfTheHelp) {
 TEST_F(ProgramDocumentation, ExitCodesAreThoseOfTheHeader) {
     const std::string header = fileText(RAYTORUS_SOURCE_DIR "/host/core/error.hpp");
     Rows declared;
-    const std::regex enumerator(R"(\n +(\w+) = (\d+),)");
-    for (std::sregex_iterator match(header.begin(), header.end(), enumerator), end; match != end; ++match) {
-        declared[std::stoi((*match)[2])] = (*match)[1];
+    for (const PatternMatch& match : matchesIn(header, R"(\n +(\w+) = (\d+),)")) {
+        declared[std::stoi(match[2])] = match[1];
     }
     EXPECT_EQ(declared.size(), 13U);
     EXPECT_EQ(rowsOf(page, R"(\n\| (\d+) \| `(\w+)` \|)"), declared);

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <regex>
 #include <sstream>
 
 #include "core/error.hpp"
+#include "patterns.hpp"
 #include "run_program.hpp"
 #include "scratch_folder.hpp"
 
@@ -113,17 +113,16 @@ TEST_F(ProgramVerify, ReplaysWhatItFaulted) {
     const std::vector<std::string> defective{"--shaders", RAYTORUS_DEFECTIVE_SHADER_FOLDER};
     const ProgramResult all = run({"--class", "camera", "--radius", "0.5", "--distance", "3", "--rays", "300",
                                    defective[0], defective[1]});
-    const std::regex replay(R"re(  (\S+): raytorus-verify --replay "([^"]*)")re");
-    std::size_t replayed = 0;
-    for (std::sregex_iterator i(all.out.begin(), all.out.end(), replay), end; i != end; ++i, ++replayed) {
-        const ProgramResult one = run({"--replay", (*i)[2], defective[0], defective[1]});
+    const auto replays = matchesIn(all.out, R"re(  (\S+): raytorus-verify --replay "([^"]*)")re");
+    for (const PatternMatch& replay : replays) {
+        const ProgramResult one = run({"--replay", replay[2], defective[0], defective[1]});
         EXPECT_EQ(one.exitCode, static_cast<int>(ExitCode::ComparisonFailed));
-        EXPECT_TRUE(one.out.ends_with("verdict: " + (*i)[1].str() + "\n")) << one.out;
-        const ProgramResult right = run({"--replay", (*i)[2]});
+        EXPECT_TRUE(one.out.ends_with("verdict: " + replay[1] + "\n")) << one.out;
+        const ProgramResult right = run({"--replay", replay[2]});
         EXPECT_EQ(right.exitCode, 0) << right.out;
         EXPECT_TRUE(right.out.ends_with("verdict: right\n")) << right.out;
     }
-    EXPECT_EQ(replayed, 5U) << all.out;
+    EXPECT_EQ(replays.size(), 5U) << all.out;
 }
 
 TEST_F(ProgramVerify, ReplayShowsTruthAndAnswers) {
@@ -170,9 +169,8 @@ TEST_F(ProgramVerify, RefusesAFileItCannotWriteBeforeTheWork) {
 // The words of a command line, where quotes keep words together; the number of rays is made small.
 std::vector<std::string> wordsOf(const std::string& line) {
     std::vector<std::string> words;
-    const std::regex word(R"re("([^"]*)"|(\S+))re");
-    for (std::sregex_iterator i(line.begin(), line.end(), word), end; i != end; ++i) {
-        words.push_back((*i)[1].matched ? (*i)[1] : (*i)[2]);
+    for (const PatternMatch& word : matchesIn(line, R"re("([^"]*)"|(\S+))re")) {
+        words.push_back(word[1] + word[2]);
     }
     const auto rays = std::find(words.begin(), words.end(), "--rays");
     if (rays != words.end()) {
@@ -190,16 +188,15 @@ TEST_F(ProgramVerify, HelpsWithExamplesThatWork) {
     const std::string examples = help.out.substr(help.out.find("Examples:\n"));
     // Each stands in docs/cli.md too, some with a remark behind it.
     const std::string page = fileText(RAYTORUS_SOURCE_DIR "/docs/cli.md");
-    const std::regex command(R"re(\n  (raytorus-verify.*))re");
-    std::size_t count = 0;
-    for (std::sregex_iterator i(examples.begin(), examples.end(), command), end; i != end; ++i, ++count) {
-        const std::string line = (*i)[1];
+    const auto commands = matchesIn(examples, R"re(\n  (raytorus-verify.*))re");
+    EXPECT_GE(commands.size(), 5U);
+    for (const PatternMatch& command : commands) {
+        const std::string& line = command[1];
         EXPECT_NE(page.find("\n$ " + line), std::string::npos) << line;
         std::vector<std::string> words = wordsOf(line);
         words.erase(words.begin());
         EXPECT_EQ(run(words).exitCode, 0) << line;
     }
-    EXPECT_GE(count, 5U);
 }
 
 TEST_F(ProgramVerify, OtherMethodsHavePromisedNothing) {

@@ -6,9 +6,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <regex>
 
 #include "image/image_io.hpp"
+#include "patterns.hpp"
 #include "report_sample.hpp"
 #include "run_program.hpp"
 #include "scratch_folder.hpp"
@@ -55,11 +55,9 @@ protected:
 
     // What the page, or our script, has written to the root's attribute "data-<name>".
     static std::string dataOf(const std::string& dom, const std::string& name) {
-        std::smatch found;
         const std::string start = dom.substr(0, std::min<std::size_t>(dom.size(), 20000));
-        return std::regex_search(start, found, std::regex("<html[^>]* data-" + name + "=\"([^\"]*)\""))
-                   ? found[1].str()
-                   : "(none)";
+        const auto found = matchesIn(start, "<html[^>]* data-" + name + "=\"([^\"]*)\"");
+        return found.empty() ? "(none)" : found[0][1];
     }
 
     fs::path folder = scratchFolder();
@@ -129,8 +127,7 @@ tell('mark', Math.round((square.left - box.left) / box.width * 48) + ' ' + Math.
 )js");
     EXPECT_EQ(dataOf(dom, "errors"), "(none)");
     EXPECT_TRUE(
-        std::regex_match(dataOf(dom, "worst"),
-                         std::regex("raytorus explain --scene golden/scenes/far.json --pixel [0-9]+,[0-9]+")))
+        isLike(dataOf(dom, "worst"), "raytorus explain --scene golden/scenes/far.json --pixel [0-9]+,[0-9]+"))
         << dataOf(dom, "worst");
     EXPECT_EQ(dataOf(dom, "picked"), "raytorus explain --scene golden/scenes/far.json --pixel 3,30 (3, 30)");
     EXPECT_EQ(dataOf(dom, "moved"), "raytorus explain --scene golden/scenes/far.json --pixel 0,30");

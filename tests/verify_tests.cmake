@@ -12,7 +12,7 @@ raytorus_add_tests(verify_tests
         program_verify_test.cpp
         run_program.cpp
         verify_cell_test.cpp
-    LIBRARIES raytorus::verify nlohmann_json::nlohmann_json)
+    LIBRARIES raytorus::verify raytorus_patterns nlohmann_json::nlohmann_json)
 add_dependencies(verify_tests raytorus-verify raytorus_defective_shaders raytorus_invalid_shaders)
 target_compile_definitions(verify_tests PRIVATE
     RAYTORUS_VERIFY="$<TARGET_FILE:raytorus-verify>"
@@ -22,6 +22,3 @@ target_compile_definitions(verify_tests PRIVATE
 # Rays of the day through every cell; CTest shows the table with -V, and when a bar is broken.
 add_test(NAME verify.rays_of_today COMMAND raytorus-verify --rays 1000 --validate)
 set_tests_properties(verify.rays_of_today PROPERTIES TIMEOUT 300)
-
-# g++ 12 warns of std::regex by mistake when it sanitizes (GCC bug 105562).
-set_source_files_properties(program_verify_test.cpp PROPERTIES COMPILE_OPTIONS -Wno-maybe-uninitialized)
