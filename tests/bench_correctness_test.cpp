@@ -2,12 +2,11 @@
 // Answers that are right are found right, and every kind of fault is counted once.
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "bench/correctness.hpp"
 #include "bench/kernel.hpp"
 #include "fresh_seed.hpp"
 #include "reference/rays.hpp"
+#include "special_floats.hpp"
 #include "verify/reference_tracer.hpp"
 #include "verify/trace_ray.hpp"
 
@@ -18,7 +17,6 @@ using render::Query;
 
 constexpr reference::Torus ring{1.0F, 0.25F};
 constexpr std::size_t rayCount = 300;
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 std::vector<render::TraceRay> someRays() {
     reference::RayParameters parameters;

@@ -9,14 +9,12 @@
 
 #include "expect_error.hpp"
 #include "image/comparison_text.hpp"
+#include "special_floats.hpp"
 
 namespace raytorus::image {
 namespace {
 
 using test::expectError;
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 Image image(int width, int height, std::vector<std::string> names = {"R", "G", "B"}) {
     Image made(width, height, std::move(names));

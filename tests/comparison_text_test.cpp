@@ -5,14 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
+
+#include "special_floats.hpp"
 
 namespace raytorus::image {
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 TEST(CompareText, ATableWithAlignedColumns) {
     Image expected(2, 1, {"R", "normal.x"});

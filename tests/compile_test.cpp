@@ -19,17 +19,17 @@ using test::errorsOf;
 using test::filesOf;
 using test::ShaderFolder;
 
-const std::filesystem::path root = RAYTORUS_SOURCE_DIR;
+const std::filesystem::path projectRoot = RAYTORUS_SOURCE_DIR;
 
 ShaderRequest shipped(const std::string& name) {
-    return {root / "shaders" / name, {root / "shaders"}, {}, {}};
+    return {projectRoot / "shaders" / name, {projectRoot / "shaders"}, {}, {}};
 }
 
 // As shaders/CompileShader.cmake's INTERSECTOR does.
 ShaderRequest withMethod(const std::string& name, std::string method) {
     std::replace(method.begin(), method.end(), '-', '_');
     ShaderRequest request = shipped(name);
-    request.roots.push_back(root / "host/bench/methods");
+    request.roots.push_back(projectRoot / "host/bench/methods");
     request.defines.push_back({"OTHER_INTERSECTOR", ""});
     request.virtualIncludes.push_back({"other_intersector.glsl", "#include \"" + method + ".glsl\"\n"});
     return request;
@@ -61,7 +61,7 @@ TEST(Compile, OtherMethodsHaveTheWordsThatTheBuildEmbeds) {
 }
 
 TEST(Compile, FilesAreThoseThatWereReadAndThoseThatWouldGoBefore) {
-    const auto folder = root / "shaders";
+    const auto folder = projectRoot / "shaders";
     EXPECT_EQ(filesOf(compileShader(shipped("fullscreen.vert")), folder),
               std::vector<std::string>{"fullscreen.vert"});
     const CompiledShader trace = compileShader(shipped("trace.comp"));

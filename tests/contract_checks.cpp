@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "reference/rays.hpp"
+#include "special_floats.hpp"
 #include "verify/trace_ray.hpp"
 
 namespace raytorus::test {
@@ -19,8 +20,6 @@ namespace {
 using render::Query;
 using render::TraceRay;
 
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float largest = std::numeric_limits<float>::max();
 
 struct BadInput {

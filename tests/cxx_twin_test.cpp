@@ -17,6 +17,7 @@
 #include "device_fixture.hpp"
 #include "fresh_seed.hpp"
 #include "reference/rays.hpp"
+#include "special_floats.hpp"
 #include "torus_cxx.hpp"
 #include "verify/trace_ray.hpp"
 
@@ -29,7 +30,6 @@ using render::Query;
 using render::TraceRay;
 
 constexpr std::array minorRadii = {0.001F, 0.01F, 0.1F, 0.25F, 0.5F, 0.9F, 1.0F, 1.5F};
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 // Of each class, radius and distance, and as many again with small components: 57 600 rays.
 constexpr std::uint64_t raysEach = 60;

@@ -16,6 +16,7 @@
 #include "device_fixture.hpp"
 #include "hit_judge.hpp"
 #include "hit_match.hpp"
+#include "special_floats.hpp"
 #include "torus_cxx.hpp"
 #include "verify/trace_ray.hpp"
 
@@ -26,7 +27,6 @@ using reference::Ray;
 using reference::RayClass;
 using reference::Torus;
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float smallest = std::numeric_limits<float>::denorm_min();
 constexpr float largestDenormal = 0x1.fffffcp-127F;
 

@@ -30,38 +30,37 @@ Shown shown(std::array<float, 2> expectedValues, std::array<float, 2> actualValu
     return {encodeSrgb(colour[0]), encodeSrgb(colour[1]), encodeSrgb(colour[2])};
 }
 
-CompareRules tolerance(double value) {
+CompareRules within(double value) {
     CompareRules rules;
     rules.defaultRule.tolerance = value;
     return rules;
 }
 
 TEST(Difference, EqualIsBlack) {
-    EXPECT_EQ(shown({1, 2}, {1, 2}, tolerance(0.5)), (Shown{0, 0, 0}));
-    EXPECT_EQ(shown({1, 0.0f}, {1, -0.0f}, tolerance(0)), (Shown{0, 0, 0}));
+    EXPECT_EQ(shown({1, 2}, {1, 2}, within(0.5)), (Shown{0, 0, 0}));
+    EXPECT_EQ(shown({1, 0.0f}, {1, -0.0f}, within(0)), (Shown{0, 0, 0}));
 }
 
 TEST(Difference, WithinTheToleranceIsBlue) {
-    EXPECT_EQ(shown({1, 2}, {1, 2.5f}, tolerance(0.5)), (Shown{96, 160, 255}));      // the limit itself
-    EXPECT_EQ(shown({1, 2}, {1.25f, 2}, tolerance(0.5)), (Shown{60, 104, 192}));     // half of it
-    EXPECT_EQ(shown({1, 2}, {1, 2.000001f}, tolerance(0.5)), (Shown{24, 48, 128}));  // hardly any
+    EXPECT_EQ(shown({1, 2}, {1, 2.5f}, within(0.5)), (Shown{96, 160, 255}));      // the limit itself
+    EXPECT_EQ(shown({1, 2}, {1.25f, 2}, within(0.5)), (Shown{60, 104, 192}));     // half of it
+    EXPECT_EQ(shown({1, 2}, {1, 2.000001f}, within(0.5)), (Shown{24, 48, 128}));  // hardly any
 }
 
 TEST(Difference, OverTheToleranceGoesFromOrangeToWhiteInThreePowersOfTen) {
-    EXPECT_EQ(shown({0, 0}, {0, 0.50001f}, tolerance(0.5)), (Shown{255, 112, 0}));
-    EXPECT_EQ(shown({0, 0}, {0, 15.8113883f}, tolerance(0.5)), (Shown{255, 224, 64}));  // 10^1.5 limits
-    EXPECT_EQ(shown({0, 0}, {500, 0}, tolerance(0.5)), (Shown{255, 255, 255}));
-    EXPECT_EQ(shown({0, 0}, {-1e30f, 0}, tolerance(0.5)), (Shown{255, 255, 255}));
+    EXPECT_EQ(shown({0, 0}, {0, 0.50001f}, within(0.5)), (Shown{255, 112, 0}));
+    EXPECT_EQ(shown({0, 0}, {0, 15.8113883f}, within(0.5)), (Shown{255, 224, 64}));  // 10^1.5 limits
+    EXPECT_EQ(shown({0, 0}, {500, 0}, within(0.5)), (Shown{255, 255, 255}));
+    EXPECT_EQ(shown({0, 0}, {-1e30f, 0}, within(0.5)), (Shown{255, 255, 255}));
 }
 
 TEST(Difference, WithoutToleranceTheSmallestDifferenceIsOrange) {
-    EXPECT_EQ(shown({0, 0}, {0, std::numeric_limits<float>::denorm_min()}, tolerance(0)),
-              (Shown{255, 112, 0}));
-    EXPECT_EQ(shown({0, 0}, {0, 1e-3f}, tolerance(0)), (Shown{255, 255, 255}));
+    EXPECT_EQ(shown({0, 0}, {0, std::numeric_limits<float>::denorm_min()}, within(0)), (Shown{255, 112, 0}));
+    EXPECT_EQ(shown({0, 0}, {0, 1e-3f}, within(0)), (Shown{255, 255, 255}));
 }
 
 TEST(Difference, TheWorstChannelIsMeasuredByItsOwnLimit) {
-    CompareRules rules = tolerance(0.5);
+    CompareRules rules = within(0.5);
     rules.channelRules["Z"] = {100.0, 0.0};
     EXPECT_EQ(shown({0, 0}, {0, 100}, rules), (Shown{96, 160, 255}));
     EXPECT_EQ(shown({0, 0}, {0.6f, 100}, rules), (Shown{255, 118, 3}));  // R is over its limit
@@ -72,9 +71,9 @@ TEST(Difference, TheWorstChannelIsMeasuredByItsOwnLimit) {
 TEST(Difference, NonFiniteIsMagentaWhereverItIs) {
     for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
                             -std::numeric_limits<float>::infinity()}) {
-        EXPECT_EQ(shown({bad, 0}, {0, 0}, tolerance(1)), (Shown{255, 0, 255}));
-        EXPECT_EQ(shown({0, 0}, {0, bad}, tolerance(1)), (Shown{255, 0, 255}));
-        EXPECT_EQ(shown({0, bad}, {900, bad}, tolerance(1)), (Shown{255, 0, 255}));
+        EXPECT_EQ(shown({bad, 0}, {0, 0}, within(1)), (Shown{255, 0, 255}));
+        EXPECT_EQ(shown({0, 0}, {0, bad}, within(1)), (Shown{255, 0, 255}));
+        EXPECT_EQ(shown({0, bad}, {900, bad}, within(1)), (Shown{255, 0, 255}));
     }
 }
 

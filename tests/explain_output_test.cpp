@@ -2,7 +2,6 @@
 // Text, JSON and picture tell the same: as many hits, the same numbers; JSON parses, SVG is well-formed XML.
 #include <cctype>
 #include <cstring>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "device_fixture.hpp"
@@ -13,6 +12,7 @@
 #include "explain/table.hpp"
 #include "explain/text.hpp"
 #include "reference/rays.hpp"
+#include "special_floats.hpp"
 
 namespace raytorus::test {
 namespace {
@@ -20,8 +20,6 @@ namespace {
 using explain::Explanation;
 using nlohmann::json;
 using reference::Quad;
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 std::size_t countOf(const std::string& text, const std::string& word) {
     std::size_t count = 0;
@@ -71,7 +69,7 @@ std::string xmlFault(const std::string& xml) {
     return open.empty() ? "" : "never closed: " + open.back();
 }
 
-struct Case {
+struct Example {
     const char* name;
     reference::Torus torus;
     reference::Ray ray;
@@ -79,11 +77,11 @@ struct Case {
 };
 
 // For GoogleTest's messages.
-void PrintTo(const Case& row, std::ostream* out) {
+void PrintTo(const Example& row, std::ostream* out) {
     *out << row.name;
 }
 
-const Case cases[] = {
+const Example cases[] = {
     {"Four", {1, 0.35F}, {{-2, 0.4F, 0.45F}, 0, {1, 0, -0.2F}, infinity}, 4, 0},
     {"Two", {1, 0.4F}, {{-3, 0.3F, 1}, 0, {1, 0.1F, -0.5F}, infinity}, 2, 0},
     {"Ends", {1, 0.25F}, {{0, 0, 0}, 0, {1, 0.1F, 0}, 1}, 1, 3},
@@ -96,7 +94,7 @@ const Case cases[] = {
     {"Sphere", {0, 1}, {{-3, 0.1F, 0.5F}, 0, {1, 0, 0}, infinity}, 2, 0},
 };
 
-class ExplainOutput : public DeviceTest, public testing::WithParamInterface<Case> {
+class ExplainOutput : public DeviceTest, public testing::WithParamInterface<Example> {
 protected:
     const Explanation e = explain::explain(device(), GetParam().torus, GetParam().ray);
 };
@@ -148,7 +146,7 @@ TEST_P(ExplainOutput, TheJsonHasEveryNumberOfTheText) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Rays, ExplainOutput, testing::ValuesIn(cases),
-                         [](const testing::TestParamInfo<Case>& row) { return row.param.name; });
+                         [](const testing::TestParamInfo<Example>& row) { return row.param.name; });
 
 // Wrong answers, made by hand from right ones: the picture and the texts show them.
 TEST(ExplainWrongOutput, MissedAndInventedAreMarked) {
@@ -170,7 +168,6 @@ TEST(ExplainWrongOutput, MissedAndInventedAreMarked) {
 }
 
 TEST(ExplainWrongOutput, BadInputIsPrintable) {
-    const float nan = std::numeric_limits<float>::quiet_NaN();
     const Explanation e = explain::explain(device(), {0.0F, -1.0F}, {{nan, 0, 0}, 0, {0, 0, 0}, infinity});
     EXPECT_EQ(e.faults.size(), 3U);
     EXPECT_EQ(xmlFault(explain::svgOf(e)), "");

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstring>
-#include <limits>
 
 #include "device_fixture.hpp"
 #include "explain/conclusion.hpp"
@@ -13,6 +12,7 @@
 #include "fresh_seed.hpp"
 #include "reference/rays.hpp"
 #include "render/tracer.hpp"
+#include "special_floats.hpp"
 
 namespace raytorus::test {
 namespace {
@@ -22,8 +22,6 @@ using explain::Explanation;
 using reference::Ray;
 using reference::Torus;
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr Torus ring{1.0F, 0.25F};
 
 class Explain : public DeviceTest {

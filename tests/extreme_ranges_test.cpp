@@ -14,6 +14,7 @@
 #include "device_fixture.hpp"
 #include "hit_judge.hpp"
 #include "reference/torus_reference.hpp"
+#include "special_floats.hpp"
 
 namespace raytorus {
 namespace {
@@ -22,7 +23,6 @@ using reference::Ray;
 using reference::RayClass;
 using reference::Torus;
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float largest = std::numeric_limits<float>::max();
 
 class ExtremeRanges : public test::DeviceTest {

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "reference/torus_reference.hpp"
+#include "special_floats.hpp"
 #include "verify/judge.hpp"
 
 namespace raytorus::test {
@@ -18,8 +19,7 @@ using reference::Hit;
 using reference::Quad;
 using verify::Answers;
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr Quad largest = std::numeric_limits<float>::max();
+constexpr Quad largestFloat = std::numeric_limits<float>::max();
 
 double absolute(Quad x) {
     return std::abs(reference::toDouble(x));
@@ -29,7 +29,7 @@ double length(const reference::QuadVec3& v) {
     return std::sqrt(reference::toDouble(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
 }
 
-bool sameBits(float a, float b) {
+bool haveSameBits(float a, float b) {
     return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
 }
 
@@ -65,7 +65,7 @@ struct Line {
 void loosenEnd(Truth& truth, const Line& line, Quad end) {
     const double r{line.torus.minorRadius};
     const double margin = verify::clearEndMargin(line.torus) * r;
-    if (truth.count == 0 || !(absolute(end) <= absolute(largest)) || !(line.distanceAt(end) < margin)) {
+    if (truth.count == 0 || !(absolute(end) <= absolute(largestFloat)) || !(line.distanceAt(end) < margin)) {
         return;
     }
     int nearest = 0;
@@ -91,7 +91,7 @@ Truth truthOf(const Line& line) {
     for (int k = 0; k < truth.count; ++k) {
         const Quad t = truth.hits[static_cast<std::size_t>(k)].t;
         // A t that no float holds is no hit.
-        if (t >= Quad(line.ray.tMin) && t <= Quad(line.ray.tMax) && t >= -largest && t <= largest) {
+        if (t >= Quad(line.ray.tMin) && t <= Quad(line.ray.tMax) && t >= -largestFloat && t <= largestFloat) {
             truth.must |= 1U << k;
         }
     }
@@ -198,9 +198,9 @@ std::string malformed(const reference::Ray& ray, const Answers& answers) {
     }
     for (int k = 0; k < 4; ++k) {
         bool fine = k < count ? all.t[k] >= ray.tMin && all.t[k] <= ray.tMax && std::isfinite(all.t[k])
-                              : sameBits(all.t[k], ray.tMax);
+                              : haveSameBits(all.t[k], ray.tMax);
         for (const float x : all.position[k]) {
-            fine = fine && (k < count ? std::isfinite(x) : sameBits(x, 0.0F));
+            fine = fine && (k < count ? std::isfinite(x) : haveSameBits(x, 0.0F));
         }
         if (!fine || (k > 0 && !(all.t[k] >= all.t[k - 1]))) {
             return fmt::format("entry {} of {} holds what it must not: t = {}", k, count, all.t[k]);
@@ -209,11 +209,11 @@ std::string malformed(const reference::Ray& ray, const Answers& answers) {
     const render::NearestHit& nearest = answers.nearest;
     bool fine = nearest.hit != 0.0F
                     ? nearest.t >= ray.tMin && nearest.t <= ray.tMax && std::isfinite(nearest.t)
-                    : sameBits(nearest.t, ray.tMax);
+                    : haveSameBits(nearest.t, ray.tMax);
     for (int i = 0; i < 3; ++i) {
         fine = fine &&
                (nearest.hit != 0.0F ? std::isfinite(nearest.position[i]) && std::isfinite(nearest.normal[i])
-                                    : sameBits(nearest.position[i], 0.0F));
+                                    : haveSameBits(nearest.position[i], 0.0F));
     }
     return fine ? "" : fmt::format("the nearest hit holds what it must not: t = {}", nearest.t);
 }

@@ -13,12 +13,12 @@
 namespace raytorus::verify {
 namespace {
 
-const reference::Torus torus{1.0F, 0.25F};
+const reference::Torus ring{1.0F, 0.25F};
 // Along the x axis: in at -1.25, out at -0.75, in at 0.75, out at 1.25.
-const reference::Ray ray{{-3.0F, 0.0F, 0.0F}, 0.0F, {1.0F, 0.0F, 0.0F}, 10.0F};
+const reference::Ray alongX{{-3.0F, 0.0F, 0.0F}, 0.0F, {1.0F, 0.0F, 0.0F}, 10.0F};
 const reference::Ray passing{{-3.0F, 0.0F, 2.0F}, 0.0F, {1.0F, 0.0F, 0.0F}, 10.0F};
 
-// The right answers of `ray`, to be spoiled.
+// The right answers of `alongX`, to be spoiled.
 struct Said {
     render::NearestHit nearest{1.0F, 1.75F, {-1.25F, 0.0F, 0.0F}, {-1.0F, 0.0F, 0.0F}};
     render::AllHits all{
@@ -27,8 +27,8 @@ struct Said {
         {{-1.25F, 0.0F, 0.0F}, {-0.75F, 0.0F, 0.0F}, {0.75F, 0.0F, 0.0F}, {1.25F, 0.0F, 0.0F}}};
     float any = 1.0F;
 
-    [[nodiscard]] Judgement judged(const reference::Ray& about = ray) const {
-        return judge(torus, about, arbiterTruth(torus, about), {nearest, all, any});
+    [[nodiscard]] Judgement judged(const reference::Ray& about = alongX) const {
+        return judge(ring, about, arbiterTruth(ring, about), {nearest, all, any});
     }
 };
 

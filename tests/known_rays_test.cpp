@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <ostream>
 #include <vector>
 
 #include "device_fixture.hpp"
 #include "reference/torus_reference.hpp"
 #include "render/tracer.hpp"
+#include "special_floats.hpp"
 #include "verify/questions.hpp"
 
 namespace raytorus {
@@ -17,8 +17,6 @@ namespace {
 
 using render::AllHits;
 using render::TraceRay;
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 AllHits traceOne(float majorRadius, float minorRadius, const TraceRay& ray) {
     render::Tracer tracer(test::device(), render::Query::All, 1);

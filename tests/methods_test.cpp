@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <limits>
 #include <vector>
 
 #include "device_fixture.hpp"
@@ -17,6 +16,7 @@
 #include "reference/rays.hpp"
 #include "render/renderer.hpp"
 #include "render/scene_json.hpp"
+#include "special_floats.hpp"
 #include "verify/questions.hpp"
 
 namespace raytorus {
@@ -30,9 +30,6 @@ namespace {
 
 using reference::Ray;
 using verify::Answers;
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 // The answers of a method to these rays.
 std::vector<Answers> ask(const Method& method, const reference::Torus& torus, const std::vector<Ray>& rays) {

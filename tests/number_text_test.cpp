@@ -7,10 +7,10 @@
 #include <cmath>
 #include <limits>
 
+#include "special_floats.hpp"
+
 namespace raytorus::cli {
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 TEST(NumberText, FloatIsTheNearest) {
     const std::pair<const char*, float> table[] = {

@@ -4,16 +4,14 @@
 
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <random>
 #include <sstream>
 
 #include "program_test.hpp"
+#include "special_floats.hpp"
 
 namespace raytorus::test {
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 std::string headerOf(const std::string& csv) {
     return csv.substr(0, csv.find('\n'));

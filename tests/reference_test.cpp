@@ -4,16 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "reference/torus_reference.hpp"
+#include "special_floats.hpp"
 
 namespace raytorus::reference {
 
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
 const Quad quadInfinity{infinity};
 
 // Distances of about 10 have a last place of 2^-109 = 1.5e-33; a simple root may lose a few hundred of them.
@@ -251,7 +250,6 @@ TEST(Reference, AgreesWithVecGeom) {
 }
 
 TEST(Reference, MissesForInvalidInput) {
-    const float nan = std::numeric_limits<float>::quiet_NaN();
     const Torus torus{1, 0.25f};
     const Ray ray{{-5, 0, 0}, 0, {1, 0, 0}, infinity};
     ASSERT_EQ(intersectFloat(torus, ray).count, 4);

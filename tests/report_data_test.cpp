@@ -16,18 +16,11 @@
 namespace raytorus::image {
 namespace {
 
+using test::count;
 using test::fileText;
 using test::sampleCases;
 using test::sampleHeading;
 using test::scratchFolder;
-
-std::size_t count(const std::string& text, const std::string& what) {
-    std::size_t found = 0;
-    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) {
-        ++found;
-    }
-    return found;
-}
 
 TEST(ReportData, TheFolderHasThePageAndItsData) {
     const auto folder = scratchFolder() / "not" / "there" / "yet";

@@ -9,11 +9,13 @@
 #include "expect_error.hpp"
 #include "image/image_codec.hpp"
 #include "image/report_picture.hpp"
+#include "report_sample.hpp"
 #include "scratch_folder.hpp"
 
 namespace raytorus::image {
 namespace {
 
+using test::count;
 using test::fileText;
 using test::namesIn;
 using test::scratchFolder;
@@ -26,14 +28,6 @@ Image image(float value, std::vector<std::string> names = {"R", "G", "B", "A"}) 
 
 ReportCase made(const std::string& name, const Image& expected, const Image& actual) {
     return reportCase(name, expected, actual, compare(expected, actual, {}));
-}
-
-std::size_t count(const std::string& text, const std::string& what) {
-    std::size_t found = 0;
-    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) {
-        ++found;
-    }
-    return found;
 }
 
 ReportCase missing(const std::string& name) {

@@ -4,16 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
+
+#include "special_floats.hpp"
 
 namespace raytorus::test {
 namespace {
 
 using reference::Ray;
 using reference::Torus;
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 // `x` moved by a number of floats.
 float stepped(float x, int steps) {

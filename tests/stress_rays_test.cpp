@@ -6,18 +6,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <ostream>
 #include <vector>
 
 #include "device_fixture.hpp"
 #include "hit_judge.hpp"
+#include "special_floats.hpp"
 
 namespace raytorus {
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 struct StressRay {
     const char* name;

@@ -52,11 +52,11 @@ PixelAnalysis judged(const render::Scene& scene, const Answer& answer) {
     return PixelJudge(scene, 1, 1).judge(pictureOf(answer), 0, 0);
 }
 
-constexpr Answer right{-1.25, 0.0, 0.0, 0, 4};
+constexpr Answer rightAnswer{-1.25, 0.0, 0.0, 0, 4};
 const double unit = std::ldexp(1.25, -24);
 
 TEST(PixelJudge, FindsARightPixelRight) {
-    const PixelAnalysis found = judged(sceneAlongX(), right);
+    const PixelAnalysis found = judged(sceneAlongX(), rightAnswer);
     EXPECT_EQ(found.state, ANALYSIS_HIT);
     EXPECT_NEAR(found.fromSurface, 0.0, 1e-6);
     EXPECT_NEAR(found.fromReference, 0.0, 1e-6);
@@ -65,19 +65,19 @@ TEST(PixelJudge, FindsARightPixelRight) {
 TEST(PixelJudge, AccusesAWrongVerdict) {
     const render::Scene scene = sceneAlongX();
     for (const int id : {-1, 1}) {
-        Answer answer = right;
+        Answer answer = rightAnswer;
         answer.id = id;
         EXPECT_EQ(judged(scene, answer).state, ANALYSIS_WRONG) << "id " << id;
     }
     for (const int count : {0, 2, 3, 5}) {
-        Answer answer = right;
+        Answer answer = rightAnswer;
         answer.count = count;
         EXPECT_EQ(judged(scene, answer).state, ANALYSIS_WRONG) << count << " surfaces";
     }
 }
 
 TEST(PixelJudge, AccusesAPositionThatIsNoNumber) {
-    Answer answer = right;
+    Answer answer = rightAnswer;
     answer.y = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(judged(sceneAlongX(), answer).state, ANALYSIS_WRONG);
     answer.y = std::numeric_limits<double>::infinity();
@@ -89,19 +89,19 @@ TEST(PixelJudge, MeasuresAPosition) {
     for (const double error : {1.0, 10.0, 1000.0, 1e5}) {
         // Out of the surface, into it, and along it. A float near 1.25 is a multiple of 1.6 units.
         const double rounding = 0.81;
-        Answer answer = right;
+        Answer answer = rightAnswer;
         answer.x -= error * unit;
         const PixelAnalysis outside = judged(scene, answer);
         EXPECT_EQ(outside.state, ANALYSIS_HIT);
         EXPECT_NEAR(outside.fromSurface, error, rounding);
         EXPECT_NEAR(outside.fromReference, error, rounding);
 
-        answer.x = right.x + error * unit;
+        answer.x = rightAnswer.x + error * unit;
         const PixelAnalysis inside = judged(scene, answer);
         EXPECT_NEAR(inside.fromSurface, -error, rounding);
         EXPECT_NEAR(inside.fromReference, error, rounding);
 
-        answer.x = right.x;
+        answer.x = rightAnswer.x;
         answer.z = error * unit;
         const PixelAnalysis aside = judged(scene, answer);
         // The tube bends away: by d^2 / 2 r to the first order, and less than a thousandth of it more.
@@ -159,7 +159,7 @@ TEST(PixelJudge, GoesThroughTheTorusPlace) {
 TEST(Analysis, CountsThePixelsThatItAccusesAndKeepsTheLargestError) {
     const render::Scene scene = sceneAlongX();
     // Of three columns the middle one looks along x, the others beside it, past the ring's middle.
-    image::Image picture = pictureOf(right, 3);
+    image::Image picture = pictureOf(rightAnswer, 3);
     Analysis analysis;
     AnalysisPixels pixels;
     const auto finish = [&] {
@@ -189,8 +189,8 @@ TEST(Analysis, CountsThePixelsThatItAccusesAndKeepsTheLargestError) {
     EXPECT_EQ(pixels.values[4], static_cast<float>(ANALYSIS_WRONG));
 
     // Stopped at once, and started on something else at once.
-    analysis.start(scene, pictureOf(right, 512));
-    analysis.start(scene, pictureOf(right, 1));
+    analysis.start(scene, pictureOf(rightAnswer, 512));
+    analysis.start(scene, pictureOf(rightAnswer, 1));
     EXPECT_EQ(finish().wrong, 0);
     analysis.stop();
     analysis.stop();

@@ -10,7 +10,7 @@
 namespace raytorus::cli {
 namespace {
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* programFooter = R"(Examples:
   raytorus render scenes/chain.json -o chain.png
   raytorus trace rays.csv -o hits.csv --torus 1,0.25
   raytorus compare golden.exr new.exr --tolerance 1e-5
@@ -64,7 +64,7 @@ ExitCode parseAndRun(std::vector<std::string> arguments) {
                  "raytorus");
     app.set_version_flag("--version", fmt::format("raytorus {}", version()));
     app.require_subcommand(1);
-    app.footer(footer);
+    app.footer(programFooter);
     Action action;
     addRenderCommand(app, action);
     addTraceCommand(app, action);

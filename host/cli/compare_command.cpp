@@ -134,7 +134,7 @@ ExitCode runCompare(const CompareOptions& options) {
     return comparison.exitCode();
 }
 
-constexpr const char* footer =
+constexpr const char* compareFooter =
     R"(A value agrees when it is off by no more than --tolerance, or by no more than --relative times the
 expected value, or by no more than --ulp times its last place. A pixel agrees when all its channels do. NaN and
 infinity never agree, in either image.
@@ -158,7 +158,7 @@ void addCompareCommand(CLI::App& app, Action& action) {
     CLI::App* const command = app.add_subcommand("compare", "Compare two image files (.exr, .png)");
     const auto options = std::make_shared<CompareOptions>();
     image::CompareRules& rules = options->rules;
-    command->footer(footer);
+    command->footer(compareFooter);
     // An option whose text goes to `store`, which throws CLI::ValidationError for what it does not like.
     const auto addOption = [command](const std::string& name, const char* type, const std::string& help,
                                      auto store) {

@@ -16,7 +16,7 @@
 namespace raytorus::cli {
 namespace {
 
-constexpr const char* footer = R"(Ends with 0 if there is a device that raytorus can use, else with 8.
+constexpr const char* doctorFooter = R"(Ends with 0 if there is a device that raytorus can use, else with 8.
 
 Examples:
   raytorus doctor
@@ -84,7 +84,7 @@ ExitCode runDoctor() {
 
 void addDoctorCommand(CLI::App& app, Action& action) {
     CLI::App* sub = app.add_subcommand("doctor", "Show the Vulkan loader, layers, drivers and devices");
-    sub->footer(footer);
+    sub->footer(doctorFooter);
     sub->callback([&action] { action = runDoctor; });
 }
 

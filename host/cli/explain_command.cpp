@@ -21,7 +21,7 @@
 namespace raytorus::cli {
 namespace {
 
-constexpr const char* footer =
+constexpr const char* explainFooter =
     R"(What the shaders compute in float32, each step of the closed form and each hit, beside the exact value and how far
 it is off. The equations are those of docs/math.md. Numbers may be decimal, inf or nan; bad input is explained, too.
 
@@ -143,7 +143,7 @@ void addExplainCommand(CLI::App& app, Action& action) {
     sub->add_flag("--json", command->json, "Print one JSON object");
     sub->add_option("--svg", command->svg, "Draw the section and the quartic, too")->option_text("FILE");
     addDeviceOptions(*sub, command->device);
-    sub->footer(footer);
+    sub->footer(explainFooter);
     sub->callback([command, &action] { action = [command] { return runExplain(*command); }; });
 }
 

@@ -18,7 +18,7 @@
 namespace raytorus::cli {
 namespace {
 
-constexpr const char* footer =
+constexpr const char* goldenFooter =
     R"(A golden is the truth: a picture of the scene by the 113-bit reference, which knows for each pixel how far a correct
 shader may be off, and where rounding may change what is hit (docs/golden.md).
 
@@ -258,7 +258,7 @@ void addGoldenCommand(CLI::App& app, Action& action) {
     const auto command = std::make_shared<GoldenCommand>();
     CLI::App* golden = app.add_subcommand("golden", "Check pictures against their truths, or renew those");
     golden->require_subcommand(1);
-    golden->footer(footer);
+    golden->footer(goldenFooter);
     addSubcommand(*golden, action, command, "list", "The cases, and what each is there to catch", runList);
     CLI::App& check = addSubcommand(*golden, action, command, "check",
                                     "Draw the cases by both routes and hold them to their truths", runCheck);

@@ -27,7 +27,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr const char* footer = R"(The picture:
+constexpr const char* renderFooter = R"(The picture:
   .exr  linear float32: R G B A, t, position.x .y .z, normal.x .y .z, uv.u uv.v, count, id.
         All but RGBA belong to the ray through the middle of the pixel; count is the number of surfaces on the whole
         ray, id the torus' place in the scene, -1 where nothing is hit (the others are 0 there)
@@ -250,7 +250,7 @@ void addRenderCommand(CLI::App& app, Action& action) {
     addFrameOptions(*sub, command->frames);
     addMethodOrReferenceOption(*sub, command->method);
     addDeviceOptions(*sub, command->device);
-    sub->footer(footer);
+    sub->footer(renderFooter);
     sub->callback([command, &action] { action = [command] { return runRender(*command); }; });
 }
 

@@ -21,7 +21,7 @@
 namespace raytorus::cli {
 namespace {
 
-constexpr const char* footer =
+constexpr const char* traceFooter =
     R"(Files are CSV if their name ends in .csv, otherwise raw little-endian float32.
   rays  8 values a ray: origin x, y, z, tMin, direction x, y, z, tMax. CSV may have a header line, blank lines and
         lines that start with #. tMax may be inf
@@ -140,7 +140,7 @@ void addTraceCommand(CLI::App& app, Action& action) {
     sub->add_flag("--any", command->any, "Only whether there is a hit")->excludes(all);
     addMethodOrReferenceOption(*sub, command->method);
     addDeviceOptions(*sub, command->device);
-    sub->footer(footer);
+    sub->footer(traceFooter);
     sub->callback([command, &action] { action = [command] { return runTrace(*command); }; });
 }
 

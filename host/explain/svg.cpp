@@ -11,7 +11,7 @@
 namespace raytorus::explain {
 namespace {
 
-constexpr double width = 1080.0, height = 560.0;
+constexpr double pageWidth = 1080.0, pageHeight = 560.0;
 constexpr Frame sectionFrame{20.0, 70.0, 500.0, 420.0};
 constexpr Frame quarticFrame{560.0, 70.0, 500.0, 420.0};
 
@@ -130,7 +130,7 @@ double tickStep(double halfWidth) {
 }
 
 std::string svgOf(const Explanation& e) {
-    Canvas canvas(width, height);
+    Canvas canvas(pageWidth, pageHeight);
     canvas.text({sectionFrame.left, 28.0}, title(e), "font-size=\"15\"");
     if (e.faults.empty()) {
         const Line line = lineOf(e);
@@ -144,7 +144,7 @@ std::string svgOf(const Explanation& e) {
     } else {
         drawFaults(canvas, e.faults);
     }
-    drawConclusion(canvas, e.conclusion, height - 30.0);
+    drawConclusion(canvas, e.conclusion, pageHeight - 30.0);
     return canvas.finish();
 }
 

@@ -14,7 +14,8 @@ namespace raytorus::reference {
 
 namespace {
 
-const Torus tori[] = {{1, 1e-4f}, {1, 0.01f}, {1, 0.25f}, {1, 0.999f}, {1, 1}, {1, 1.5f}, {1, 1000}, {0, 1}};
+const Torus everySort[] = {{1, 1e-4f}, {1, 0.01f}, {1, 0.25f}, {1, 0.999f},
+                           {1, 1},     {1, 1.5f},  {1, 1000},  {0, 1}};
 
 QuadVec3 pointAt(const PreciseRay& ray, Quad t) {
     return {ray.origin[0] + t * ray.direction[0], ray.origin[1] + t * ray.direction[1],
@@ -96,7 +97,7 @@ void expectOnSurface(const Torus& torus, const Ray& given, const Intersections& 
 
 TEST(ReferenceProperty, EveryHitLiesOnTheSurfaceAndNoneIsMissing) {
     int clear = 0, total = 0, hits[5] = {};
-    for (const Torus& torus : tori) {
+    for (const Torus& torus : everySort) {
         for (const double D : {3.0, 1000.0, 1e6}) {
             for (const RayClass rayClass : allRayClasses) {
                 const RayParameters parameters{torus, D, 1e-2, 20};
@@ -126,7 +127,7 @@ TEST(ReferenceProperty, EveryHitLiesOnTheSurfaceAndNoneIsMissing) {
 
 // From outside the count is even, from inside odd, for every ray that runs to infinity, tangent or not.
 TEST(ReferenceProperty, TheCountHasTheParityOfTheStart) {
-    for (const Torus& torus : tori) {
+    for (const Torus& torus : everySort) {
         for (const RayClass rayClass : allRayClasses) {
             for (std::uint64_t index = 0; index < 500; ++index) {
                 const RayParameters parameters{torus, 3, index % 2 == 0 ? 0 : 1e-7, 21};
@@ -144,7 +145,7 @@ TEST(ReferenceProperty, TheCountHasTheParityOfTheStart) {
 
 // Lengths and directions scaled by powers of two: the same bits, scaled.
 TEST(ReferenceProperty, ScalesExactlyByPowersOfTwo) {
-    for (const Torus& torus : tori) {
+    for (const Torus& torus : everySort) {
         for (const RayClass rayClass :
              {RayClass::camera, RayClass::inside, RayClass::throughAxis, RayClass::segment}) {
             for (std::uint64_t index = 0; index < 20; ++index) {
@@ -182,7 +183,7 @@ TEST(ReferenceProperty, ScalesExactlyByPowersOfTwo) {
 template <class Real>
 void expectSameVerdicts(double smallestClearance, double largestError) {
     int compared = 0;
-    for (const Torus& torus : tori) {
+    for (const Torus& torus : everySort) {
         for (const RayClass rayClass : allRayClasses) {
             for (std::uint64_t index = 0; index < 200; ++index) {
                 const RayParameters parameters{torus, 100, 1e-2, 23};

@@ -11,7 +11,7 @@ namespace raytorus::reference {
 
 namespace {
 
-const Torus tori[] = {{1, 1e-4f}, {1, 0.25f}, {1, 1}, {0.75f, 1.25f}, {0, 1}};
+const Torus someOfEachSort[] = {{1, 1e-4f}, {1, 0.25f}, {1, 1}, {0.75f, 1.25f}, {0, 1}};
 
 QuadVec3 quad(const DoubleVec3& v) {
     return {v[0], v[1], v[2]};
@@ -76,7 +76,7 @@ TEST(ReferenceSurface, PositionIsTheDocumentedEquation) {
 }
 
 TEST(ReferenceSurface, UvAndPositionAreInverse) {
-    for (const Torus& torus : tori) {
+    for (const Torus& torus : someOfEachSort) {
         Random random(2, 0, 0);
         for (int trial = 0; trial < 200; ++trial) {
             const QuadVec2 given = randomUv(random, torus);
@@ -108,7 +108,7 @@ TEST(ReferenceSurface, UvStartsAtPlusXAndTheOuterEquator) {
 }
 
 TEST(ReferenceSurface, TangentsAreTheDerivativesOfPosition) {
-    for (const Torus& torus : tori) {
+    for (const Torus& torus : someOfEachSort) {
         Random random(3, 0, 0);
         for (int trial = 0; trial < 50; ++trial) {
             const QuadVec2 at = randomUv(random, torus);
@@ -130,7 +130,7 @@ TEST(ReferenceSurface, TangentsAreTheDerivativesOfPosition) {
 
 // Outward: dPdu x dPdv points along the normal, and the distance grows by the way along it.
 TEST(ReferenceSurface, NormalIsUnitOutwardAndAcrossTheTangents) {
-    for (const Torus& torus : tori) {
+    for (const Torus& torus : someOfEachSort) {
         Random random(4, 0, 0);
         for (int trial = 0; trial < 100; ++trial) {
             const QuadVec3 p = position(torus, randomUv(random, torus));
@@ -150,7 +150,7 @@ TEST(ReferenceSurface, NormalIsUnitOutwardAndAcrossTheTangents) {
 }
 
 TEST(ReferenceSurface, DistanceIsTheNearestPointOfTheProfile) {
-    for (const Torus& torus : tori) {
+    for (const Torus& torus : someOfEachSort) {
         Random random(5, 0, 0);
         for (int trial = 0; trial < 60; ++trial) {
             // every other point near the centre: inside a spindle the cusps are the nearest only there
@@ -182,7 +182,7 @@ TEST(ReferenceSurface, DistanceInsideASpindleReachesForTheCusp) {
 }
 
 TEST(ReferenceSurface, DistanceHasAGradientOfLengthOne) {
-    for (const Torus& torus : tori) {
+    for (const Torus& torus : someOfEachSort) {
         Random random(6, 0, 0);
         for (int trial = 0; trial < 100; ++trial) {
             const QuadVec3 p = randomPoint(random, torus);
@@ -205,7 +205,7 @@ TEST(ReferenceSurface, ImplicitHasTheSignOfTheDistanceAndVanishesOnBothSheets) {
     EXPECT_EQ(toDouble(implicit({1, 0.25f}, {1, 0, 0})), 0.0625 * 0.0625 - 4 * 0.0625 + 4 - 4 + 0);
     EXPECT_EQ(toDouble(implicit({1, 0.25f}, {1.25, 0, 0})), 0);
     EXPECT_EQ(toDouble(implicit({0.75f, 1.25f}, {0.5, 0, 0})), 0);  // the inner sheet
-    for (const Torus& torus : {tori[0], tori[1]}) {
+    for (const Torus& torus : {someOfEachSort[0], someOfEachSort[1]}) {
         Random random(7, 0, 0);
         for (int trial = 0; trial < 200; ++trial) {
             const QuadVec3 p = randomPoint(random, torus);
