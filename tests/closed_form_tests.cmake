@@ -17,6 +17,9 @@ raytorus_add_tests(closed_form_tests
         resolvent_identities_test.cpp
     LIBRARIES raytorus::render raytorus::reference raytorus_closed_form_shaders Boost::headers)
 
+# Each file says the same with a type of numbers of its own: none can be compiled together with another.
+set_target_properties(closed_form_tests PROPERTIES UNITY_BUILD OFF)
+
 # torus_cxx/*.glsl: the library as C++, written for gpu_tests.
 target_include_directories(closed_form_tests PRIVATE "${CMAKE_CURRENT_BINARY_DIR}")
 set_source_files_properties(${numbers} PROPERTIES OBJECT_DEPENDS "${torus_cxx}/torus.glsl")
