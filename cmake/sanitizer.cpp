@@ -1,5 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Linked whole into each program that is built with sanitizers: which leaks are not ours.
+// Linked whole into each program that is built with sanitizers: which leaks are not ours, and where none are
+// looked for.
+#include <dlfcn.h>
+
+namespace {
+
+bool hasOpenImageIo() {
+    return dlopen("raytorus-openimageio.so", RTLD_LAZY | RTLD_NOLOAD) != nullptr;
+}
+
+// Whether the program is linked with it, as those of the tests are.
+const bool began = hasOpenImageIo();
+
+}  // namespace
+
 extern "C" {
 
 // The loader unloads drivers and layers before leaks are looked for; what they leaked would then have no
@@ -19,6 +33,13 @@ const char* __lsan_default_suppressions() {
 // Else the list of what was suppressed stands in each program's output.
 const char* __lsan_default_options() {
     return "print_suppressions=0";
+}
+
+// LeakSanitizer now and then fails at the end of a program that loaded OpenImageIO and its 250 libraries on
+// the way. Such a program is not asked; the tests, which do the same work in a process that began with them,
+// are.
+int __lsan_is_turned_off() {
+    return !began && hasOpenImageIo() ? 1 : 0;
 }
 
 }  // extern "C"
