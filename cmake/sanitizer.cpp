@@ -10,7 +10,7 @@ bool hasOpenImageIo() {
 }
 
 // Whether the program is linked with it, as those of the tests are.
-const bool began = hasOpenImageIo();
+const bool linkedWithOpenImageIo = hasOpenImageIo();
 
 }  // namespace
 
@@ -39,7 +39,7 @@ const char* __lsan_default_options() {
 // the way. Such a program is not asked; the tests, which do the same work in a process that began with them,
 // are.
 int __lsan_is_turned_off() {
-    return !began && hasOpenImageIo() ? 1 : 0;
+    return !linkedWithOpenImageIo && hasOpenImageIo() ? 1 : 0;
 }
 
 }  // extern "C"
