@@ -10,6 +10,7 @@
 #include "bench/summary.hpp"
 #include "bench/table.hpp"
 #include "bench_run.hpp"
+#include "count_of.hpp"
 #include "expect_error.hpp"
 #include "scratch_folder.hpp"
 
@@ -17,15 +18,8 @@ namespace raytorus::bench {
 namespace {
 
 using nlohmann::json;
+using test::countOf;
 using test::madeUpRun;
-
-std::size_t countOf(const std::string& text, const std::string& word) {
-    std::size_t count = 0;
-    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
-        ++count;
-    }
-    return count;
-}
 
 TEST(BenchJson, HoldsEveryNumberOfTheRun) {
     const json table = json::parse(runJson(madeUpRun(0.5)));

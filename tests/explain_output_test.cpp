@@ -4,6 +4,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "count_of.hpp"
 #include "device_fixture.hpp"
 #include "explain/explain.hpp"
 #include "explain/json.hpp"
@@ -20,14 +21,6 @@ namespace {
 using explain::Explanation;
 using nlohmann::json;
 using reference::Quad;
-
-std::size_t countOf(const std::string& text, const std::string& word) {
-    std::size_t count = 0;
-    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + word.size())) {
-        ++count;
-    }
-    return count;
-}
 
 // What is wrong with the tags of an XML text, or nothing: each is closed, in its place, its attributes quoted
 // and different, and no character that must be escaped stands alone.

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "count_of.hpp"
 #include "image/difference_histogram.hpp"
 #include "image/report.hpp"
 #include "report_sample.hpp"
@@ -16,7 +17,7 @@
 namespace raytorus::image {
 namespace {
 
-using test::count;
+using test::countOf;
 using test::fileText;
 using test::sampleCases;
 using test::sampleHeading;
@@ -67,12 +68,12 @@ TEST(ReportData, JunitTellsFailuresFromErrorsAndSkipsNothing) {
         xml.starts_with("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"Golden pictures\" "
                         "tests=\"11\" failures=\"4\" errors=\"4\" skipped=\"0\" time=\"1.250\">\n"))
         << xml.substr(0, 300);
-    EXPECT_EQ(count(xml, "<testcase "), 11u);
-    EXPECT_EQ(count(xml, "<failure type=\"differ\""), 4u);
+    EXPECT_EQ(countOf(xml, "<testcase "), 11u);
+    EXPECT_EQ(countOf(xml, "<failure type=\"differ\""), 4u);
     for (const char* type : {"non-finite", "size differs", "missing", "skipped"}) {
-        EXPECT_EQ(count(xml, fmt::format("<error type=\"{}\"", type)), 1u) << type;
+        EXPECT_EQ(countOf(xml, fmt::format("<error type=\"{}\"", type)), 1u) << type;
     }
-    EXPECT_EQ(count(xml, "<skipped"), 0u);
+    EXPECT_EQ(countOf(xml, "<skipped"), 0u);
     EXPECT_TRUE(xml.ends_with("</testsuite>\n"));
 }
 
@@ -81,8 +82,8 @@ TEST(ReportData, WhatXmlMayNotHoldIsReplaced) {
     reported.name = "<a> & \"b\" \x01\xff";
     reported.sentence = "]]> it's over";
     const std::string xml = reportJunit(std::vector{reported});
-    EXPECT_EQ(count(xml, "name=\"&lt;a&gt; &amp; &quot;b&quot; ?\xef\xbf\xbd\""), 1u) << xml;
-    EXPECT_EQ(count(xml, "message=\"]]&gt; it&#39;s over\""), 1u) << xml;
+    EXPECT_EQ(countOf(xml, "name=\"&lt;a&gt; &amp; &quot;b&quot; ?\xef\xbf\xbd\""), 1u) << xml;
+    EXPECT_EQ(countOf(xml, "message=\"]]&gt; it&#39;s over\""), 1u) << xml;
     const auto json = nlohmann::json::parse(reportJson(std::vector{reported}));
     EXPECT_EQ(json["results"][0]["name"], "<a> & \"b\" \x01\xef\xbf\xbd");
 }

@@ -250,12 +250,4 @@ image::ReportHeading sampleHeading() {
     return {"Golden pictures", {{"device", "llvmpipe (LLVM 15.0.6, 256 bits)"}, {"driver", "Mesa 22.3.6"}}};
 }
 
-std::size_t count(const std::string& text, const std::string& what) {
-    std::size_t found = 0;
-    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) {
-        ++found;
-    }
-    return found;
-}
-
 }  // namespace raytorus::test

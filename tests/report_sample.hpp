@@ -3,7 +3,6 @@
 // truth that knows its own tolerances, with one fault of each kind planted.
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -24,8 +23,5 @@ std::vector<image::ReportCase> sampleCases();
 
 /// What stands above them.
 image::ReportHeading sampleHeading();
-
-/// How often the words stand in a text.
-std::size_t count(const std::string& text, const std::string& what);
 
 }  // namespace raytorus::test

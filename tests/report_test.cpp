@@ -6,16 +6,16 @@
 
 #include <limits>
 
+#include "count_of.hpp"
 #include "expect_error.hpp"
 #include "image/image_codec.hpp"
 #include "image/report_picture.hpp"
-#include "report_sample.hpp"
 #include "scratch_folder.hpp"
 
 namespace raytorus::image {
 namespace {
 
-using test::count;
+using test::countOf;
 using test::fileText;
 using test::namesIn;
 using test::scratchFolder;
@@ -47,11 +47,11 @@ TEST(Report, IsOneFileThatNeedsNothingElse) {
     const std::string html = fileText(folder / "report.html");
     EXPECT_EQ(html, reportHtml(cases));
     for (const char* outside : {"http", "://", "src=", "<link", "@import", "file:"}) {
-        EXPECT_EQ(count(html, outside), 0u) << outside;
+        EXPECT_EQ(countOf(html, outside), 0u) << outside;
     }
-    EXPECT_EQ(count(html, "url("), count(html, "url(data:image/png;base64,"));
+    EXPECT_EQ(countOf(html, "url("), countOf(html, "url(data:image/png;base64,"));
     // Three pictures of each compared case, one of the missing one.
-    EXPECT_EQ(count(html, "url(data:image/png;base64,"), 7u);
+    EXPECT_EQ(countOf(html, "url(data:image/png;base64,"), 7u);
     EXPECT_TRUE(html.starts_with("<!DOCTYPE html>\n"));
     EXPECT_TRUE(html.ends_with("</html>\n"));
 }
@@ -62,10 +62,10 @@ TEST(Report, EscapesWhatCasesAreCalled) {
         made(hostile, image(0.5f, {"R", "G", "B", "<i>"}), image(0.75f, {"R", "G", "B", "<i>"}));
     reported.sentence += hostile;
     const std::string html = reportHtml(std::vector{reported});
-    EXPECT_EQ(count(html, "<script>"), 1u);  // our own
-    EXPECT_EQ(count(html, "<i>"), 0u);
-    EXPECT_EQ(count(html, "&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt;&amp;&#39;"), 2u);
-    EXPECT_EQ(count(html, "<td>&lt;i&gt;</td>"),
+    EXPECT_EQ(countOf(html, "<script>"), 1u);  // our own
+    EXPECT_EQ(countOf(html, "<i>"), 0u);
+    EXPECT_EQ(countOf(html, "&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt;&amp;&#39;"), 2u);
+    EXPECT_EQ(countOf(html, "<td>&lt;i&gt;</td>"),
               2u);  // in the table of channels and in that of the worst pixel
     EXPECT_EQ(escapeHtml("plain text, 1 + 1"), "plain text, 1 + 1");
 }
@@ -85,12 +85,12 @@ TEST(Report, ShowsFailuresFirstAndTheFirstOpen) {
         std::vector{made("pass-b", image(0.5f), image(0.5f)), made("fail-b", image(0.5f), image(0.75f)),
                     made("pass-a", image(0.5f), image(0.5f)), missing("fail-a")});
     expectOrder(html, {"fail-b", "fail-a", "pass-b", "pass-a"});
-    EXPECT_EQ(count(html, "<details class=\"case failed"), 2u);
-    EXPECT_EQ(count(html, "<details class=\"case\""), 2u);
-    EXPECT_EQ(count(html, " open style="), 1u);
+    EXPECT_EQ(countOf(html, "<details class=\"case failed"), 2u);
+    EXPECT_EQ(countOf(html, "<details class=\"case\""), 2u);
+    EXPECT_EQ(countOf(html, " open style="), 1u);
     EXPECT_LT(html.find(" open style="), html.find("<h2>fail-b</h2>"));
-    EXPECT_EQ(count(html, "2 of 4 cases failed."), 1u);
-    EXPECT_EQ(count(reportHtml(std::vector{made("a", image(0.5f), image(0.5f))}), " open style="), 0u);
+    EXPECT_EQ(countOf(html, "2 of 4 cases failed."), 1u);
+    EXPECT_EQ(countOf(reportHtml(std::vector{made("a", image(0.5f), image(0.5f))}), " open style="), 0u);
 }
 
 TEST(Report, ShowsTheWorstFirstByDifferenceOverTolerance) {
@@ -106,19 +106,19 @@ TEST(Report, ShowsTheWorstFirstByDifferenceOverTolerance) {
     expectOrder(reportHtml(cases), {"missing", "thrice", "twice", "half", "quarter"});
     EXPECT_EQ(badness(cases[0]), 0.25);
     EXPECT_EQ(badness(cases[4]), std::numeric_limits<double>::infinity());
-    EXPECT_EQ(count(reportHtml(cases), ">3 &times; tolerance<"), 1u);
+    EXPECT_EQ(countOf(reportHtml(cases), ">3 &times; tolerance<"), 1u);
 }
 
 TEST(Report, TellsVerdictSentenceAndNumbers) {
     const ReportCase reported = made("other", image(0.5f), image(0.75f));
     const std::string html = reportHtml(std::vector{reported});
-    EXPECT_EQ(count(html, "<span class=\"verdict\">differ</span>"), 1u);
-    EXPECT_EQ(count(html, escapeHtml(reported.sentence)), 1u);
-    EXPECT_EQ(count(html, "<tr class=\"over\">"), 8u);  // four channels, four values of the worst pixel
-    EXPECT_EQ(count(html, "<td>0.25</td>"),
+    EXPECT_EQ(countOf(html, "<span class=\"verdict\">differ</span>"), 1u);
+    EXPECT_EQ(countOf(html, escapeHtml(reported.sentence)), 1u);
+    EXPECT_EQ(countOf(html, "<tr class=\"over\">"), 8u);  // four channels, four values of the worst pixel
+    EXPECT_EQ(countOf(html, "<td>0.25</td>"),
               16u);  // largest, mean and RMS of a channel, and of the worst pixel
-    EXPECT_EQ(count(reportHtml(std::vector{missing("m")}), "<span class=\"verdict\">failed</span>"), 1u);
-    EXPECT_EQ(count(reportHtml({}), "There are no cases."), 1u);
+    EXPECT_EQ(countOf(reportHtml(std::vector{missing("m")}), "<span class=\"verdict\">failed</span>"), 1u);
+    EXPECT_EQ(countOf(reportHtml({}), "There are no cases."), 1u);
 }
 
 TEST(Report, ShowsImagesThatCannotBeCompared) {
@@ -126,9 +126,9 @@ TEST(Report, ShowsImagesThatCannotBeCompared) {
     bad.pixels[0] = std::numeric_limits<float>::quiet_NaN();
     const std::string html = reportHtml(
         std::vector{made("bad", bad, image(0.5f)), made("small", image(0.5f), Image(2, 2, {"Z"}))});
-    EXPECT_EQ(count(html, ">non-finite<"), 1u);
-    EXPECT_EQ(count(html, ">size differs<"), 1u);
-    EXPECT_EQ(count(html, "data-kind=\"heat\""), 1u);  // there is none of images of other size
+    EXPECT_EQ(countOf(html, ">non-finite<"), 1u);
+    EXPECT_EQ(countOf(html, ">size differs<"), 1u);
+    EXPECT_EQ(countOf(html, "data-kind=\"heat\""), 1u);  // there is none of images of other size
 }
 
 TEST(Report, ShowsMarginsOnlyAgainstATruth) {
@@ -136,14 +136,14 @@ TEST(Report, ShowsMarginsOnlyAgainstATruth) {
     truth.pixel(5, 3)[4] = 2.0f;
     const std::string html =
         reportHtml(std::vector{made("truth", truth, image(0.5f)), made("plain", image(0.5f), image(0.5f))});
-    EXPECT_EQ(count(html, "data-kind=\"margin\""), 1u);
-    EXPECT_EQ(count(html, "margin.color: 23 marginal, 0 flipped"), 1u);
+    EXPECT_EQ(countOf(html, "data-kind=\"margin\""), 1u);
+    EXPECT_EQ(countOf(html, "margin.color: 23 marginal, 0 flipped"), 1u);
 }
 
 TEST(Report, TellsWhoeverReadsItWhatToDo) {
     ReportCase reported = made("other", image(0.5f), image(0.5f));
-    EXPECT_EQ(count(reportHtml(std::vector{reported}), "class=\"command\""), 0u);
-    EXPECT_EQ(count(reportHtml(std::vector{reported}), "class=\"catches\""), 0u);
+    EXPECT_EQ(countOf(reportHtml(std::vector{reported}), "class=\"command\""), 0u);
+    EXPECT_EQ(countOf(reportHtml(std::vector{reported}), "class=\"catches\""), 0u);
     reported.actual->pixel(4, 2)[1] = 0.75f;
     reported = made("other", *reported.expected, *reported.actual);
     reported.catches = "seams & edges";
@@ -151,11 +151,11 @@ TEST(Report, TellsWhoeverReadsItWhatToDo) {
     reported.rerunCommand = "test 'other'";
     reported.renewCommand = "renew other";
     const std::string html = reportHtml(std::vector{reported});
-    EXPECT_EQ(count(html, "seams &amp; edges"), 1u);
-    EXPECT_EQ(count(html, ">explain --pixel 4,2</code>"), 1u);
-    EXPECT_EQ(count(html, "data-command=\"explain --pixel {x},{y}\""), 1u);
-    EXPECT_EQ(count(html, ">test &#39;other&#39;</code>"), 1u);
-    EXPECT_EQ(count(html, ">renew other</code>"), 1u);
+    EXPECT_EQ(countOf(html, "seams &amp; edges"), 1u);
+    EXPECT_EQ(countOf(html, ">explain --pixel 4,2</code>"), 1u);
+    EXPECT_EQ(countOf(html, "data-command=\"explain --pixel {x},{y}\""), 1u);
+    EXPECT_EQ(countOf(html, ">test &#39;other&#39;</code>"), 1u);
+    EXPECT_EQ(countOf(html, ">renew other</code>"), 1u);
 }
 
 TEST(Report, FindsThePixelToLookAtFirst) {
