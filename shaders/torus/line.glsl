@@ -143,7 +143,8 @@ torus_Ray torus_scale(float majorRadius, float minorRadius, vec3 origin, float t
     vec3 baseLow = vec3(0.0, 0.0, 0.0);
     TORUS_PRECISE float baseShift = 0.0;
     if (delicate) {
-        // The moment of the origin, not yet of the base: kept in here, so that nearby rays have nothing to carry.
+        // The moment of the origin, not yet of the base. It and the sphere are found in here although they are again below:
+        // what both share would be carried past the branch, and cost nearby rays more.
         TORUS_PRECISE vec3 away = torus_cross(o, d);
         TORUS_PRECISE float away2 = away.x * away.x + away.y * away.y + away.z * away.z;
         TORUS_PRECISE float sphere2 = TORUS_AFAR_ROOM * ((R + r) * (R + r)) + TORUS_AFAR_ROUNDING * (farthest * farthest);
