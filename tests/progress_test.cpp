@@ -6,11 +6,11 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <string_view>
 #include <thread>
 
 namespace raytorus::cli {
@@ -35,11 +35,19 @@ private:
     int saved;
 };
 
-std::string readWhatIsThere(int file) {
-    fcntl(file, F_SETFL, O_NONBLOCK);
+// What is in `file` before `end`. A terminal hands on what is written to it a moment later, so to ask what
+// is there already may find a part of it. Nothing more comes after an end of file.
+std::string readUntil(int file, std::string_view end) {
+    std::string text;
     std::array<char, 4096> buffer{};
-    const ssize_t count = read(file, buffer.data(), buffer.size());
-    return {buffer.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0))};
+    while (end.empty() || !text.ends_with(end)) {
+        const ssize_t count = read(file, buffer.data(), buffer.size());
+        if (count <= 0) {
+            return text;
+        }
+        text.append(buffer.data(), static_cast<std::size_t>(count));
+    }
+    return text.substr(0, text.size() - end.size());
 }
 
 // Half a second of work shows nothing yet. To sleep for longer asks nothing of the machine's speed.
@@ -71,7 +79,9 @@ TEST(Progress, IsDrawnOnATerminalAndClearedAtTheEnd) {
     const Terminal terminal;
     ASSERT_GE(terminal.slave, 0);
     showHalfDone(terminal.slave);
-    const std::string text = readWhatIsThere(terminal.master);
+    constexpr std::string_view last = "(no more)";
+    ASSERT_EQ(write(terminal.slave, last.data(), last.size()), static_cast<ssize_t>(last.size()));
+    const std::string text = readUntil(terminal.master, last);
     EXPECT_NE(text.find("working [################................]  50 %"), std::string::npos) << text;
     EXPECT_TRUE(text.ends_with("\r\033[K")) << text;
 }
@@ -80,9 +90,9 @@ TEST(Progress, DrawsNothingIntoAPipe) {
     std::array<int, 2> ends{};
     ASSERT_EQ(pipe(ends.data()), 0);
     showHalfDone(ends[1]);
-    EXPECT_EQ(readWhatIsThere(ends[0]), "");
-    close(ends[0]);
     close(ends[1]);
+    EXPECT_EQ(readUntil(ends[0], ""), "");
+    close(ends[0]);
 }
 
 }  // namespace
