@@ -77,9 +77,9 @@ TEST(BenchTimes, AreNetOfTheEmptyOneRoundByRound) {
 }
 
 TEST(BenchTimes, AreGrossWithoutAnEmptyOne) {
-    const Times times = timesOf(rounds({2, 4}), rounds({1, 1}), nullptr);
+    const Times times = timesOf(rounds({2, 2, 3, 4}), rounds({1, 1}), nullptr);
     EXPECT_DOUBLE_EQ(times.minimum, 2);
-    EXPECT_DOUBLE_EQ(times.median, 3);
+    EXPECT_DOUBLE_EQ(times.median, 2.5);
     EXPECT_DOUBLE_EQ(times.netMinimum, 2);
     EXPECT_DOUBLE_EQ(times.ratio, 0.5);
 }
@@ -89,6 +89,23 @@ TEST(BenchTimes, HaveNoRatioWhereNothingIsLeft) {
     const Times times = timesOf(rounds({2, 1}), rounds({4, 4}), &empty);
     EXPECT_EQ(times.ratio, 0.0);
     EXPECT_EQ(times.middleRatio, 0.0);
+}
+
+// As they have been seen: a run of 42 ns that a processor's clock gave as 2.4.
+TEST(BenchMinimum, IsConfirmedByAnotherRun) {
+    EXPECT_DOUBLE_EQ(confirmedMinimum({42.5, 2.4, 44.0, 41.0, 60.0}), 41.0);
+    EXPECT_DOUBLE_EQ(confirmedMinimum({1.0, 2.4, 41.0, 41.5, 43.0}), 41.0) << "two such runs";
+    EXPECT_DOUBLE_EQ(confirmedMinimum({5.0, 5.4, 9.0}), 5.0);
+    EXPECT_DOUBLE_EQ(confirmedMinimum({1.0, 2.0, 4.0}), 2.0) << "the median";
+    EXPECT_DOUBLE_EQ(confirmedMinimum({5.0}), 5.0);
+}
+
+// The run that was too fast moves neither the ratio nor what is taken off.
+TEST(BenchTimes, AreNotThoseOfASingleRun) {
+    const Times times = timesOf(rounds({1, 21, 21}), rounds({41, 41, 2}), nullptr);
+    EXPECT_DOUBLE_EQ(times.ratio, 41.0 / 21.0);
+    const Series empty = rounds({0.1, 1, 1});
+    EXPECT_DOUBLE_EQ(timesOf(rounds({11, 11, 11}), rounds({6, 6, 6}), &empty).ratio, 0.5);
 }
 
 TEST(BenchQuantile, LiesLinearlyBetweenTwoValues) {

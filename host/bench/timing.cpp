@@ -7,6 +7,9 @@
 namespace raytorus::bench {
 namespace {
 
+// How close another run has to come to confirm one: the fastest of nine differ by some hundredths.
+constexpr double confirmedWithin = 1.1;
+
 double ratioOf(double ours, double its) {
     return ours > 0.0 && its > 0.0 ? ours / its : 0.0;
 }
@@ -33,8 +36,15 @@ std::vector<Series> takeTurns(const std::vector<std::function<Shot()>>& contesta
     return series;
 }
 
+double confirmedMinimum(std::vector<double> values) {
+    std::ranges::sort(values);
+    const auto found = std::ranges::adjacent_find(
+        values, [](double faster, double slower) { return slower <= confirmedWithin * faster; });
+    return found != values.end() ? *found : quantile(values, 0.5);
+}
+
 Times timesOf(const Series& its, const Series& ours, const Series* empty) {
-    const auto minimumOf = [](const Series& series) { return *std::ranges::min_element(series.nanoseconds); };
+    const auto minimumOf = [](const Series& series) { return confirmedMinimum(series.nanoseconds); };
     const double idle = empty != nullptr ? minimumOf(*empty) : 0.0;
     Times times;
     times.minimum = minimumOf(its);

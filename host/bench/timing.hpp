@@ -20,9 +20,14 @@ struct Series {
 /// compile then; that run's checksum is the one that the others have to have.
 std::vector<Series> takeTurns(const std::vector<std::function<Shot()>>& contestants, unsigned rounds);
 
+/// The least value to which another comes within a tenth; the median if there is none. Processor time under a
+/// hypervisor needs it: the kernel takes off in one lump what other machines have stolen, at the wrong time,
+/// and a run comes out at a twentieth of what it took.
+double confirmedMinimum(std::vector<double> values);
+
 /// Times of one contestant, in nanoseconds a ray. Net: less what the empty one took, in the same round.
 struct Times {
-    double minimum = 0.0;
+    double minimum = 0.0;  ///< confirmedMinimum
     double median = 0.0;
     double netMinimum = 0.0;  ///< the minimum less the empty one's minimum
     /// Ours over its, net: of the minima, and the quartiles of those of each round. 0 where a net time is not
