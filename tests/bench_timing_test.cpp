@@ -77,7 +77,7 @@ TEST(BenchTimes, AreNetOfTheEmptyOneRoundByRound) {
 }
 
 TEST(BenchTimes, AreGrossWithoutAnEmptyOne) {
-    const Times times = timesOf(rounds({2, 2, 3, 4}), rounds({1, 1}), nullptr);
+    const Times times = timesOf(rounds({2, 2, 3, 4}), rounds({1, 1, 1, 1}), nullptr);
     EXPECT_DOUBLE_EQ(times.minimum, 2);
     EXPECT_DOUBLE_EQ(times.median, 2.5);
     EXPECT_DOUBLE_EQ(times.netMinimum, 2);
