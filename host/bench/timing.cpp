@@ -49,8 +49,8 @@ Times timesOf(const Series& its, const Series& ours, const Series* empty) {
     Times times;
     times.minimum = minimumOf(its);
     times.median = quantile(its.nanoseconds, 0.5);
-    times.netMinimum = minimumOf(its) - idle;
-    times.ratio = ratioOf(minimumOf(ours) - idle, minimumOf(its) - idle);
+    times.netMinimum = times.minimum - idle;
+    times.ratio = ratioOf(minimumOf(ours) - idle, times.netMinimum);
     std::vector<double> ratios;
     for (std::size_t round = 0; round < its.nanoseconds.size(); ++round) {
         const double idleNow = empty != nullptr ? empty->nanoseconds[round] : 0.0;
