@@ -51,7 +51,7 @@ def thicknesses():
     for ratio, name in [(0.5, "half"), (0.25, "quarter"), (0.75, "three_quarters"), (0.9, "fat"), (0.99, "nearly_horn")]:
         case(f"ring_{name}", f"an ordinary ring, r/R = {ratio:g}: hits, order, shading, checker by uv",
              from_afar(4, 2.6 * (1 + ratio) / 1.5), [tilted(1, ratio)],
-             methods={"newton-quartic": 0, "minima-first": 0, "closed-form-polished": 0} if ratio == 0.5 else None)
+             methods={"bracketed-newton": 0, "closed-form-polished": 0} if ratio == 0.5 else None)
     for ratio in (0.1, 0.03, 0.01, 0.003, 0.001):
         spot = [0.8 * math.cos(1.1), 0.8 * math.sin(1.1), 0.0]
         case(f"thin_{ratio:g}".replace("0.", ""), f"a tube of r/R = {ratio:g} from 3 R: its verdicts need the tube function",

@@ -20,8 +20,7 @@ COLOURS = {
     "sphere-tracing": "#7a3b9a",
     "closed-form": "#1f5fa8",
     "closed-form-polished": "#1f5fa8",
-    "newton-quartic": "#1f5fa8",
-    "minima-first": "#1f5fa8",
+    "bracketed-newton": "#1f5fa8",
 }
 HALF_ULP = 2.0**-24
 

@@ -47,7 +47,7 @@ struct CompileDamaged : testing::Test {
 TEST_F(CompileDamaged, CutOffAnywhere) {
     std::mt19937_64 random(test::freshSeed());
     int refused = 0;
-    for (const char* name : {"trace.comp", "torus/torus.glsl", "torus/tube.glsl", "trace_io.h"}) {
+    for (const char* name : {"trace.comp", "torus/torus.glsl", "torus/refine.glsl", "trace_io.h"}) {
         const std::string whole = test::fileText(shaderFolder / name);
         for (int i = 0; i < 60; ++i) {
             const auto size = std::uniform_int_distribution<std::size_t>(0, whole.size() - 2)(random);
@@ -68,7 +68,7 @@ TEST_F(CompileDamaged, BytesChangedAnywhere) {
     const std::string bytes = std::string("(){}[];,.#/*\\\"'<>=!&|+-~?:@ \n\r\t01fxe\x7f\xc3\xff", 40);
     int refused = 0;
     for (int i = 0; i < 300; ++i) {
-        const std::string name = std::vector{"trace.comp", "torus/torus.glsl", "torus/tube.glsl",
+        const std::string name = std::vector{"trace.comp", "torus/torus.glsl", "torus/refine.glsl",
                                              "intersector.glsl"}[random() % 4];
         const std::string whole = test::fileText(shaderFolder / name);
         std::string damaged = whole;

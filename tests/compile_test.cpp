@@ -67,7 +67,7 @@ TEST(Compile, FilesAreThoseThatWereReadAndThoseThatWouldGoBefore) {
     const CompiledShader trace = compileShader(shipped("trace.comp"));
     EXPECT_EQ(trace.files.front().path, folder / "trace.comp");
     const std::vector<std::string> read = filesOf(trace, folder);
-    for (const char* name : {"intersector.glsl", "torus/torus.glsl", "torus/tube.glsl", "trace_io.h"}) {
+    for (const char* name : {"intersector.glsl", "torus/torus.glsl", "torus/refine.glsl", "trace_io.h"}) {
         EXPECT_TRUE(std::binary_search(read.begin(), read.end(), name)) << name;
     }
     for (const FileState& file : trace.files) {

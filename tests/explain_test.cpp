@@ -135,7 +135,7 @@ const Special specials[] = {
      ring,
      {{1.25F, 0, 0}, 0, {1, 0, 0.1F}, infinity},
      "at tMin the ray is 0 r from the surface",
-     1},
+     0},  // it leaves: a hit exactly at an end may go either way
     {"Sphere", {0, 1}, {{3, 0, 0.1F}, 0, {-1, 0, 0}, infinity}, "R = 0, a sphere", 2},
     {"NearlyASphere", {0.001F, 1}, {{3, 0, 0.1F}, 0, {-1, 0, 0}, infinity}, "r > 100 R", 2},
     {"Past", ring, {{3, 0, 2}, 0, {-1, 0, 0}, infinity}, "passes the bounding sphere by", 0},

@@ -5,8 +5,10 @@
 // nothing is rounded, nothing is sampled.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 
 #include "closed_form_cxx.hpp"
 
@@ -23,18 +25,19 @@ struct Point {
 
 // Every polynomial of the derivation has degree 4 or less in each of a, b, c, x, y, z and t, and r and w
 // occur in their squares alone, to the second power of these: five values of the seven, three of the two, 703
-// 125 points. The squares 0, 1 and 4 are three values. Numbers stay below 1e6.
+// 125 points. The squares 0, 1 and 4 are three values. Numbers stay below 1e6. Where the degree in x, y and z
+// is 8, these go to `widest` = 4.
 template <class Check>
-void onTheGrid(const Check& check) {
-    std::array<Int, 9> at{};
-    const std::array<Int, 9> first{-2, -2, -2, -2, -2, -2, -2, 0, 0};
-    at = first;
+void onTheGrid(const Check& check, Int widest) {
+    const std::array<Int, 9> first{-2, -2, -2, -widest, -widest, -widest, -2, 0, 0};
+    const std::array<Int, 9> last{2, 2, 2, widest, widest, widest, 2, 2, 2};
+    std::array<Int, 9> at = first;
     for (;;) {
         if (!check(Point{at[0], at[1], at[2], at[3], at[4], at[5], at[6], at[7], at[8]})) {
             return;
         }
         std::size_t k = 0;
-        for (; k < at.size() && at[k] == 2; ++k) {
+        for (; k < at.size() && at[k] == last[k]; ++k) {
             at[k] = first[k];
         }
         if (k == at.size()) {
@@ -46,14 +49,17 @@ void onTheGrid(const Check& check) {
 
 // Whether the two agree on the whole grid.
 template <class F, class G>
-bool identical(const F& f, const G& g) {
+bool identical(const F& f, const G& g, Int widest = 2) {
     bool same = true;
-    int points = 0;
-    onTheGrid([&](const Point& p) {
-        ++points;
-        return same = f(p) == g(p);
-    });
-    return same && points == 703125;
+    Int points = 0;
+    onTheGrid(
+        [&](const Point& p) {
+            ++points;
+            return same = f(p) == g(p);
+        },
+        widest);
+    const Int values = 2 * widest + 1;
+    return same && points == 625 * values * values * values * 9;
 }
 
 Int sq(Int x) {
@@ -186,6 +192,92 @@ TEST(Identities, TheSumForBetaIsTheProduct) {
                                                          pow4(b) + 2 * b * b * (c * c - w * w - 1) +
                                                          sq(c * c - w * w + 1));
                 }
+}
+
+// (math.md, eq. 28) times |d|^8, which leaves no fraction: u, k, b and e of the ray as the march has them.
+Int marched(const Point& p) {
+    const Int dd = sq(p.x) + sq(p.y) + sq(p.z);
+    const Int od = p.a * p.x + p.b * p.y + p.c * p.z;
+    const Int oo = sq(p.a) + sq(p.b) + sq(p.c);
+    const Int u = dd * p.t + od;                                // |d|^2 u
+    const Int k = oo * dd - sq(od) - (sq(p.r) + sq(p.w)) * dd;  // |d|^4 k
+    const Int b0 = 2 * p.r * (p.c * dd - od * p.z);             // |d|^4 b_0
+    const Int b1 = 2 * p.r * p.z;                               // |d|^2 b_1
+    return sq(sq(u) + k) + sq(b0 + b1 * u) - sq(2 * p.r * p.w * dd);
+}
+
+TEST(Identities, TheMarchIsTheSubstitutedRay) {
+    const auto timesLength4 = [](const Point& p) { return ray(p) * sq(sq(p.x) + sq(p.y) + sq(p.z)); };
+    EXPECT_TRUE(identical(marched, timesLength4, 4));
+}
+
+// The march's quartic of some line, and what it knows of it at u.
+struct March {
+    Int k, b0, b1, edge2;
+
+    Int a(Int u) const { return u * u + k; }
+    Int b(Int u) const { return b0 + b1 * u; }
+    Int f(Int u) const { return sq(a(u)) + sq(b(u)) - edge2; }
+    Int h(Int u) const { return 2 * u * a(u) + b1 * b(u); }
+    Int c(Int u) const { return 2 * a(u) + b1 * b1; }
+    // f + 2 h x + (c + squared) x^2: a parabola in x.
+    Int parabola(Int u, Int x, Int squared) const { return f(u) + (2 * h(u) + (c(u) + squared) * x) * x; }
+};
+
+// Every line and torus of a grid. Of degree 2 in k, b_0 and b_1, linear in e^2.
+template <class Check>
+void forMarches(const Check& check) {
+    for (Int k = -4; k <= 2; ++k)
+        for (Int b0 = -2; b0 <= 2; ++b0)
+            for (Int b1 = -2; b1 <= 2; ++b1)
+                for (Int edge2 = 0; edge2 <= 9; edge2 += 3) {
+                    check(March{k, b0, b1, edge2});
+                }
+}
+
+// (math.md, eq. 29): degree 4 in u and x.
+TEST(Identities, AStepOfTheMarchIsExact) {
+    forMarches([](const March& march) {
+        for (Int u = -2; u <= 2; ++u)
+            for (Int x = -2; x <= 2; ++x) {
+                ASSERT_EQ(march.f(u + x), march.parabola(u, x, 0) + sq(2 * u * x + x * x));
+            }
+    });
+}
+
+// (math.md, eq. 30), with m and M found as the march finds them. Integers are as good as fractions: u, x and
+// b_1 times n, k and b_0 times n^2 and e^2 times n^4 are the same line, drawn larger.
+TEST(Identities, TheParabolasBoundTheMarch) {
+    int crossings = 0;
+    forMarches([&](const March& march) {
+        for (Int u = -4; u <= 3; ++u)
+            for (Int reach = 1; reach <= 9; ++reach) {
+                const Int twoU = 2 * u, ahead = twoU + reach;
+                const Int least = sq(twoU > 0 ? twoU : std::min<Int>(ahead, 0));
+                const Int largest = sq(std::max(std::abs(twoU), std::abs(ahead)));
+                Int m = sq(twoU), M = m;
+                bool crossed = false;
+                for (Int x = 0; x <= reach; ++x) {
+                    m = std::min(m, sq(twoU + x));
+                    M = std::max(M, sq(twoU + x));
+                    const Int f = march.f(u + x);
+                    const Int below = march.parabola(u, x, least), above = march.parabola(u, x, largest);
+                    ASSERT_LE(below, f);
+                    ASSERT_GE(above, f);
+                    // Whoever has crossed is past a root of the parabola of the side where the step began.
+                    const Int side = march.f(u) > 0 ? 1 : -1;
+                    if (march.f(u) != 0 && side * f <= 0) {
+                        ASSERT_LE(side * (side > 0 ? below : above), 0);
+                        crossed = true;
+                    }
+                }
+                // Both are reached, so no parabola with the same value and slope is closer.
+                ASSERT_EQ(least, m);
+                ASSERT_EQ(largest, M);
+                crossings += crossed ? 1 : 0;
+            }
+    });
+    EXPECT_GT(crossings, 10000);
 }
 
 // The errors of print, each shown to be one. A second radius R, where the first is meant:

@@ -17,7 +17,7 @@ protected:
     ProgramGolden() {
         fs::create_directories(folder / "golden" / "scenes");
         write("golden/cases.json",
-              R"({"cases": [{"name": "dark", "catches": "no light", "methods": {"minima-first": 0}},
+              R"({"cases": [{"name": "dark", "catches": "no light", "methods": {"bracketed-newton": 0}},
                             {"name": "horn", "catches": "the point"}]})");
         const fs::path source = fs::path(RAYTORUS_SOURCE_DIR) / "golden";
         for (const char* name : {"dark", "horn"}) {

@@ -70,7 +70,7 @@ TEST_F(ProgramFrames, TimeIsThatOfTheFirst) {
 }
 
 TEST_F(ProgramFrames, OtherMethodsAndTheReferenceDrawThemToo) {
-    for (const char* method : {"newton-quartic", "reference"}) {
+    for (const char* method : {"bracketed-newton", "reference"}) {
         const Arguments common = {"--size", "12x8", "--method", method};
         Arguments sequence = {"render", "scene.json", "-o", "#.png", "--frames", "2", "--fps", "8"};
         Arguments single = {"render", "scene.json", "-o", "b.png", "--time", "0.125"};

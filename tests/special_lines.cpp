@@ -193,8 +193,8 @@ std::vector<SpecialLines> runAlongThinTubes() {
     return {{{1, 0x1.0624dep-10F}, rays}, {{1, 0x1.47ae14p-7F}, pastNearMisses}};
 }
 
-// Crossings whose sine goes from 1/256 to 1/8, seen from as far as their last step begins at the origin
-// (line.glsl, TORUS_AFAR): there a rounding counts the more, the flatter the crossing is.
+// Crossings whose sine goes from 1/256 to 1/8, seen from as far as their refinement begins at the origin
+// (ray.glsl, TORUS_FAR): there a rounding counts the more, the flatter the crossing is.
 std::vector<SpecialLines> crossAtSmallAngles() {
     constexpr int count = 2000;
     std::vector<SpecialLines> lines;

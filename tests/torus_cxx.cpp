@@ -74,7 +74,7 @@ SurfaceAnswer cxxSurface(const SurfacePoint& point) {
 }
 
 float cxxProductError(float a, float b) {
-    return torus_cxx::torus_productError(a, b, a * b);
+    return torus_cxx::torus_twoProductError(a, b, a * b);
 }
 
 float cxxSquareDifference(float a, float b, float c) {

@@ -26,7 +26,7 @@ render::AllHits cxxAllFused(float majorRadius, float minorRadius, const render::
 }
 
 float cxxProductErrorFused(float a, float b) {
-    return torus_cxx_fused::torus_productError(a, b, a * b);
+    return torus_cxx_fused::torus_twoProductError(a, b, a * b);
 }
 
 }  // namespace raytorus::test

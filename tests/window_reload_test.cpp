@@ -75,12 +75,12 @@ constexpr const char* darkerSky = "precise float height = 0.25 + 0.25 * directio
 TEST_F(WindowReload, KeepsTheLastGoodPictureWhileAShaderIsBroken) {
     openEdited();
     const image::Image first = screenshot("e");
-    const int line = lineOf("shaders/torus/tube.glsl", "float torus_root(");
-    const std::string good = edit("shaders/torus/tube.glsl", "float torus_root(", "floating torus_root(");
-    const std::string place = "torus/tube.glsl:" + std::to_string(line) + ": ";
+    const int line = lineOf("shaders/torus/march.glsl", "void torus_step(");
+    const std::string good = edit("shaders/torus/march.glsl", "void torus_step(", "floating torus_step(");
+    const std::string place = "torus/march.glsl:" + std::to_string(line) + ": ";
     EXPECT_EQ(awaitError().substr(0, place.size()), place);
     EXPECT_TRUE(sameBits(first, screenshot("e")));
-    replace("shaders/torus/tube.glsl", good);
+    replace("shaders/torus/march.glsl", good);
     await("shaders");
     EXPECT_TRUE(sameBits(first, screenshot("e")));
     close();

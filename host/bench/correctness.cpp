@@ -58,7 +58,7 @@ Judged judgeOne(Query query, const verify::Truth& truth, std::span<const float> 
 }
 
 bool isGross(const reference::Torus& torus, const Judged& judged) {
-    return !(judged.off <= verify::grossError * double{torus.minorRadius});
+    return !(judged.off <= reference::grossError(torus));
 }
 
 }  // namespace

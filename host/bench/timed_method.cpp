@@ -16,8 +16,6 @@
 #include "raytorus_bench_exact_ends.hpp"
 #include "raytorus_bench_float64_quartic.hpp"
 #include "raytorus_bench_fused.hpp"
-#include "raytorus_bench_minima_first.hpp"
-#include "raytorus_bench_newton_quartic.hpp"
 #include "raytorus_bench_ray_sphere.hpp"
 #include "raytorus_bench_raytorus.hpp"
 #include "raytorus_bench_sphere_tracing.hpp"
@@ -48,10 +46,6 @@ std::vector<TimedMethod> makeTable() {
          ShaderSource(bench_sphere_tracing_exact::find)},
         {"bracketed-newton", "bracketed Newton between critical points (Yuksel 2022), reduced quartic",
          ShaderSource(bench_bracketed_newton::find)},
-        {"newton-quartic", "monotone Newton on the convex and concave pieces, reduced quartic",
-         ShaderSource(bench_newton_quartic::find)},
-        {"minima-first", "signs at the closed-form minima, then Newton, reduced quartic",
-         ShaderSource(bench_minima_first::find)},
         {"float64-quartic", "bracketed Newton on the reduced quartic in float64",
          ShaderSource(bench_float64_quartic::find), Needs::Float64},
         {"exact-ends",

@@ -14,7 +14,7 @@ namespace {
 
 bool isGross(const Explanation& e) {
     const double size = double{e.torus.majorRadius} + double{e.torus.minorRadius};
-    return !(e.library.position * size <= reference::grossError * double{e.torus.minorRadius});
+    return !(e.library.position * size <= reference::grossError(e.torus));
 }
 
 // Is what differs no more than the hits at the ends of the ray that the contract leaves open?

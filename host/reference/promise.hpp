@@ -8,9 +8,6 @@
 
 namespace raytorus::reference {
 
-/// A gross error of a position, in minor radii.
-inline constexpr double grossError = 0.01;
-
 /// A verdict is clear if no extremum of the distance to the tube along the line is nearer to the surface
 /// than this part of r ...
 inline constexpr double clearMargin = 1e-3;
@@ -25,5 +22,12 @@ inline double clearEndMargin(const Torus& torus) {
 /// How far a position of a clear ray may be from the exact hit of the ray as given, in R + r: 2^-24 for the
 /// exact position, rounded, and half as much again for all other roundings.
 inline constexpr double positionBound = 9e-8;
+
+/// The length from which on an error of a position is gross: a hundredth of r, but in a tube so thin that a
+/// rounding is longer, twice the bound.
+inline double grossError(const Torus& torus) {
+    const double r{torus.minorRadius};
+    return std::max(0.01 * r, 2 * positionBound * (double{torus.majorRadius} + r));
+}
 
 }  // namespace raytorus::reference

@@ -149,7 +149,7 @@ Judgement judge(const reference::Torus& torus, const reference::Ray& ray, const 
         const float t = answers.all.t[k];
         errors.t = std::abs(exact.t - double{t}) / ulpOf(t, size / rayLength);
         errors.surface = std::abs(reference::tubeDistance(exactTorus, position)) / size;
-        if (judgement.fault == Fault::None && !(errors.position * size <= grossError * r)) {
+        if (judgement.fault == Fault::None && !(errors.position * size <= grossError(torus))) {
             judgement.fault = Fault::Gross;
         }
     }

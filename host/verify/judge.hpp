@@ -32,7 +32,7 @@ enum class Fault {
     WrongCount,    ///< all-hits function: another number of hits
     Order,         ///< hits not in ascending t
     Disagreement,  ///< any-hit differs from nearest, or the nearest's bits from those of the first of all
-    Gross,         ///< a position off by more than grossError
+    Gross,         ///< a position off by grossError or more
 };
 inline constexpr std::size_t faultKinds = 8;
 

@@ -71,8 +71,8 @@ std::uint64_t parseSeed(const std::string& text) {
 
 void requireSizes(const CellChoice& choice) {
     for (const float radius : choice.radii) {
-        if (!(radius >= 1e-4F && radius <= 1e4F)) {
-            throw Error(ExitCode::Usage, fmt::format("--radius is r/R from 1e-4 to 1e4, not {:g}", radius));
+        if (!(radius >= 1e-7F && radius <= 1e4F)) {
+            throw Error(ExitCode::Usage, fmt::format("--radius is r/R from 1e-7 to 1e4, not {:g}", radius));
         }
     }
     for (const double distance : choice.distances) {

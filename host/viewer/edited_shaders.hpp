@@ -26,7 +26,7 @@ public:
     /// Compiles again though nothing has changed.
     void again();
 
-    /// "torus/tube.glsl:12: ...", a line for each error; empty: all compile.
+    /// "torus/refine.glsl:12: ...", a line for each error; empty: all compile.
     [[nodiscard]] const std::string& error() const { return result.error; }
 
     /// The last that compiled: the scene's shaders, and the same with steps counted. False: none has yet.

@@ -8,8 +8,7 @@
 
 #include "bench/methods/methods.hpp"
 #include "core/error.hpp"
-#include "raytorus_steps_minima_first.hpp"
-#include "raytorus_steps_newton_quartic.hpp"
+#include "raytorus_steps_bracketed_newton.hpp"
 #include "raytorus_steps_raytorus.hpp"
 #include "raytorus_steps_sphere_tracing.hpp"
 
@@ -21,10 +20,9 @@ struct StepShaders {
     render::ShaderSource::Find find;
 };
 
-constexpr std::array<StepShaders, 4> stepShaders = {{
+constexpr std::array<StepShaders, 3> stepShaders = {{
     {"raytorus", steps_raytorus::find},
-    {"newton-quartic", steps_newton_quartic::find},
-    {"minima-first", steps_minima_first::find},
+    {"bracketed-newton", steps_bracketed_newton::find},
     {"sphere-tracing", steps_sphere_tracing::find},
 }};
 

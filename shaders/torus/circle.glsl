@@ -3,7 +3,7 @@
 #ifndef TORUS_CIRCLE_GLSL
 #define TORUS_CIRCLE_GLSL
 
-#include "arithmetic.glsl"
+#include "double_float.glsl"
 
 // atan(y, x) / (2 pi) in [0, 1): the built-in has no useful precision guarantee in Vulkan (4096 ulp) and differs
 // between drivers. Odd polynomial for atan(q) / (2 pi) on [0, 1], minimax error 2.2e-9 of a turn (half an ulp at 1/16); 0 for x = y = 0.

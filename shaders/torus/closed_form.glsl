@@ -88,27 +88,27 @@ void torusQuarticCoefficients(Torus torus, vec3 origin, vec3 direction, out floa
 }
 
 // Moves the origin to the point closest to the centre, which takes the cubic term away, and scales to R = 1 and a unit
-// direction (math.md, eq. 8). The shift is line.glsl's, exact from 10^8 R, too.
+// direction (math.md, eq. 8). The shift is ray.glsl's, exact from 10^8 R, too.
 //
 // returns    false, and zeros, where the ray passes the bounding sphere by, for bad input as in torus.glsl, for R = 0
 //            and for r > 100 R
 bool torusReduceRay(Torus torus, vec3 origin, vec3 direction, out TorusReducedRay ray) {
     ray = TorusReducedRay(vec3(0.0, 0.0, 0.0), vec3(0.0, 0.0, 0.0), 0.0, 0.0, 0.0);
-    bool meets = false;
-    torus_Ray scaled = torus_scale(torus.majorRadius, torus.minorRadius, origin, -TORUS_FLOAT_MAX, direction,
+    torus_Line line = torus_reduce(torus.majorRadius, torus.minorRadius, origin, -TORUS_FLOAT_MAX, direction,
                                    TORUS_FLOAT_MAX);
-    if (scaled.meets) {
-        torus_Line line = torus_reduce(scaled, -TORUS_FLOAT_MAX, TORUS_FLOAT_MAX);
-        TORUS_PRECISE float widest = TORUS_CLOSED_FORM_WIDEST * line.majorRadius;
-        meets = line.meets && line.minorRadius <= widest;
+    TORUS_PRECISE float widest = TORUS_CLOSED_FORM_WIDEST * line.majorRadius;
+    bool meets = line.meets && line.minorRadius <= widest;
+    if (meets) {
+        TORUS_PRECISE float shift = (line.baseShift + line.shift) * line.tPerU;
+        TORUS_PRECISE float invLength = 1.0 / sqrt(line.length2);
+        TORUS_PRECISE float invMajor = 1.0 / line.majorRadius;
+        TORUS_PRECISE vec3 foot = line.foot * invMajor;
+        TORUS_PRECISE vec3 unit = line.direction * invLength;
+        TORUS_PRECISE float tubeRadius = line.minorRadius * invMajor;
+        TORUS_PRECISE float scale = line.majorRadius * invLength * line.tPerU;
+        TORUS_PRECISE float largest = abs(shift) + (1.0 + tubeRadius) * scale;
+        meets = largest <= TORUS_FLOAT_MAX;  // no t is beyond float32
         if (meets) {
-            TORUS_PRECISE float shift = (line.baseShift + line.shift) * line.tPerU;
-            TORUS_PRECISE float perLength = 1.0 / sqrt(line.length2);
-            TORUS_PRECISE float perMajor = 1.0 / line.majorRadius;
-            TORUS_PRECISE vec3 foot = line.foot * perMajor;
-            TORUS_PRECISE vec3 unit = line.direction * perLength;
-            TORUS_PRECISE float tubeRadius = line.minorRadius * perMajor;
-            TORUS_PRECISE float scale = line.majorRadius * perLength * line.tPerU;
             ray = TorusReducedRay(foot, unit, tubeRadius, shift, scale);
         }
     }

@@ -51,41 +51,30 @@ struct TorusHit {
 };
 
 #include "circle.glsl"
-#include "last_step.glsl"
-#include "spans.glsl"
-
-// Private: the hit at the end of a line's last step.
-TorusHit torus_hitAt(torus_Line line, torus_End end, float tMin, float tMax) {
-    TORUS_PRECISE vec3 position = end.position * line.unit;
-    TORUS_PRECISE float sum = line.baseShift + end.shift;
-    TORUS_PRECISE float t = (sum + (torus_sumError(line.baseShift, end.shift, sum) + end.rest)) * line.tPerU;
-    // Not min and max: of two zeros of different sign they may return either.
-    t = t >= tMin ? t : tMin;
-    t = t <= tMax ? t : tMax;
-    return TorusHit(t, position);
-}
-
-// Private: the way from there to an end of the ray, in lengths of the direction. The end is exact, and t may be rounded:
-// from afar it has an ulp as long as the torus.
-float torus_wayTo(torus_Line line, torus_End end, float t) {
-    TORUS_PRECISE float finite = max(min(t, TORUS_FLOAT_MAX), -TORUS_FLOAT_MAX);
-    TORUS_PRECISE float way = ((finite * line.uPerT - line.baseShift) - end.shift) - end.rest;
-    return way;
-}
+#include "refine.glsl"
 
 // Private: what is written where there is no hit. Comparisons with NaN are false, and so give 0.
 TorusHit torus_miss(float tMax) {
     return TorusHit(tMax >= -TORUS_FLOAT_MAX ? tMax : 0.0, vec3(0.0, 0.0, 0.0));
 }
 
-// Private: whether the line's last step was right and is not beyond the ray's end, and the hit if so. A hit that rounding
-// puts before the start is the one at the start.
-bool torus_reaches(torus_Line line, torus_End end, float tMin, float tMax, inout TorusHit hit) {
-    TorusHit found = torus_hitAt(line, end, tMin, tMax);
-    bool reached = end.right && torus_wayTo(line, end, tMax) >= 0.0;
-    hit.t = reached ? found.t : hit.t;
-    hit.position = reached ? found.position : hit.position;
-    return reached;
+// Private: the hit at a crossing of the line.
+TorusHit torus_hitAt(torus_Line line, torus_Crossing crossing, float tMin, float tMax) {
+    TORUS_PRECISE vec3 position = crossing.position * line.unit;
+    TORUS_PRECISE float sum = line.baseShift + crossing.shift;
+    TORUS_PRECISE float t =
+        (sum + (torus_twoSumError(line.baseShift, crossing.shift, sum) + crossing.rest)) * line.tPerU;
+    // Not min and max: of two zeros of different sign they may return either.
+    t = t >= tMin ? t : tMin;
+    t = t <= tMax ? t : tMax;
+    return TorusHit(t, position);
+}
+
+// Private: whether a crossing is not beyond the end of the ray. The crossing is exact, and t may be rounded: from
+// afar it has an ulp as long as the torus.
+bool torus_isWithin(torus_Line line, torus_Crossing crossing) {
+    TORUS_PRECISE float left = (line.endShift - crossing.shift) - crossing.rest;
+    return left >= 0.0;
 }
 
 // The nearest hit.
@@ -101,33 +90,21 @@ bool torus_reaches(torus_Line line, torus_End end, float tMin, float tMax, inout
 bool torusIntersect(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out TorusHit hit) {
     TorusHit nearest = torus_miss(tMax);
     bool hits = false;
-    torus_Ray ray = torus_scale(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
-    if (ray.meets) {
-        torus_Line line = torus_reduce(ray, tMin, tMax);
-        if (torus_cut(line)) {
-            // What the filter does not know, or the clear step cannot make exact, goes the long way, in one branch.
+    torus_Line line = torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
+    if (line.meets) {
+        if (torus_clip(line, tMin, tMax)) {
             torus_Quartic quartic = torus_quartic(line);
-            torus_Way way = torus_firstWay(line, quartic);
-            bool done = way.known;
-            if (way.found) {
-                torus_End end = torus_clearStep(line, quartic, way.u, false);
-                end.right = end.right && way.known;
-                done = end.right;
-                hits = torus_reaches(line, end, tMin, tMax, nearest);
+            torus_March march = torus_startMarch(line, quartic);
+            torus_Crossing crossing = torus_noCrossing();
+            for (int i = 0; i < TORUS_SEARCHES && march.searching && !crossing.found; ++i) {
+                torus_search(quartic, line.upper, march);
+                if (march.refines) {
+                    crossing = torus_refine(line, march);
+                }
             }
-            if (!done) {
-                float u = way.u;
-                bool rising = false;
-                bool outer = false;
-                bool crosses = way.known;
-                if (!way.known) {
-                    torus_refine(line);
-                    crosses = torus_exactFirstCrossing(line, u, rising, outer);
-                }
-                if (crosses) {
-                    torus_End end = torus_exactSteps(line, u, rising, outer);
-                    hits = torus_reaches(line, end, tMin, tMax, nearest);
-                }
+            hits = crossing.found && torus_isWithin(line, crossing);
+            if (hits) {
+                nearest = torus_hitAt(line, crossing, tMin, tMax);
             }
         }
     }
@@ -135,19 +112,30 @@ bool torusIntersect(Torus torus, vec3 origin, float tMin, vec3 direction, float 
     return hits;
 }
 
-// Is there any hit? For shadow rays: cheaper than torusIntersect, because no root is computed.
+// Is there any hit? For shadow rays: cheaper than torusIntersect, because most crossings need no refinement.
 //
 // torus, origin, tMin, direction, tMax   as for torusIntersect
 bool torusOccluded(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax) {
-    bool crosses = false;
-    torus_Ray ray = torus_scale(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
-    if (ray.meets) {
-        torus_Line line = torus_reduce(ray, tMin, tMax);
-        if (torus_cut(line)) {
-            crosses = torus_crosses(line);
+    bool hits = false;
+    torus_Line line = torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
+    if (line.meets) {
+        if (torus_clip(line, tMin, tMax)) {
+            torus_Quartic quartic = torus_quartic(line);
+            torus_March march = torus_startMarch(line, quartic);
+            bool found = false;
+            for (int i = 0; i < TORUS_SEARCHES && march.searching && !found; ++i) {
+                torus_search(quartic, line.upper, march);
+                found = march.certain;
+                hits = march.certain;
+                if (march.refines && !march.certain) {
+                    torus_Crossing crossing = torus_refine(line, march);
+                    found = crossing.found;
+                    hits = crossing.found && torus_isWithin(line, crossing);
+                }
+            }
         }
     }
-    return crosses;
+    return hits;
 }
 
 // Every hit, in ascending t.
@@ -160,39 +148,18 @@ int torusIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, floa
         hits[i] = torus_miss(tMax);
     }
     int count = 0;
-    torus_Ray ray = torus_scale(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
-    if (ray.meets) {
-        torus_Line line = torus_reduce(ray, tMin, tMax);
-        if (torus_cut(line)) {
+    torus_Line line = torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
+    if (line.meets) {
+        if (torus_clip(line, tMin, tMax)) {
             torus_Quartic quartic = torus_quartic(line);
-            torus_Ways ways = torus_allWays(line, quartic);
-            torus_Spans spans;
-            float shiftRest = 0.0;
-            if (!ways.known) {
-                torus_refine(line);
-                shiftRest = line.shiftRest;
-                spans = torus_dips(line);
-            }
+            torus_March march = torus_startMarch(line, quartic);
             float from = tMin;  // where a line touches, rounding must not swap the pair
-            int places = ways.known ? ways.count : 4;
-            for (int i = 0; i < places; ++i) {
-                float u = i < 2 ? (i == 0 ? ways.first : ways.second) : (i == 2 ? ways.third : ways.fourth);
-                bool rising = i == 1 || i == 3;
-                bool outer = false;
-                bool exists = true;
-                bool clear = ways.known;
-                if (!ways.known) {
-                    exists = torus_crossing(line, spans, i, true, u, rising, outer);
-                    // The filter's start where it has one, so that the first hit is torusIntersect's to the bit.
-                    clear = exists && ways.enters && count == 0 && !rising && u >= line.lower;
-                    u = clear ? ways.first : u;
-                }
-                // Where there is no crossing the last step would go on from anywhere to nowhere, as often as it may.
-                if (exists) {
-                    line.shiftRest = clear ? 0.0 : shiftRest;
-                    torus_End end = torus_lastStep(line, quartic, u, rising, outer, clear);
-                    TorusHit hit = torus_hitAt(line, end, from, tMax);
-                    if (torus_wayTo(line, end, tMin) <= 0.0 && torus_wayTo(line, end, tMax) >= 0.0) {
+            for (int i = 0; i < TORUS_SEARCHES && march.searching && count < 4; ++i) {
+                torus_search(quartic, line.upper, march);
+                if (march.refines) {
+                    torus_Crossing crossing = torus_refine(line, march);
+                    if (crossing.found && torus_isWithin(line, crossing)) {
+                        TorusHit hit = torus_hitAt(line, crossing, from, tMax);
                         hits[count] = hit;
                         from = hit.t;
                         ++count;

@@ -35,42 +35,44 @@ function(breaks script expected file old new)
 endfunction()
 
 # adds(<script> <what it must say> <code>): code at the head of a file that everything includes.
-set(guard "#define TORUS_ARITHMETIC_GLSL\n")
+set(guard "#define TORUS_DOUBLE_FLOAT_GLSL\n")
 function(adds script expected code)
-    breaks(${script} "${expected}" arithmetic.glsl "${guard}" "${guard}${code}\n")
+    breaks(${script} "${expected}" double_float.glsl "${guard}" "${guard}${code}\n")
     set(count ${count} PARENT_SCOPE)
 endfunction()
 
 adds(alone "Could not process include directive for header name: ../scene_io.h" "#include \"../scene_io.h\"")
 adds(alone "WARNING: .*GL_NONE_such" "#extension GL_NONE_such : enable")
 
-breaks(files "arithmetic.glsl:1: no include guard TORUS_ARITHMETIC_GLSL" arithmetic.glsl "_ARITHMETIC_GLSL" "_A_GLSL")
-breaks(files "line.glsl:1: no \"SPDX" line.glsl "SPDX" "XPDS")
-breaks(files "line_once.comp: .*torus/line.glsl:[0-9]+: '[A-Za-z_]+' : (undeclared|no matching)"
-    line.glsl "#include \"arithmetic.glsl\"" "")
-adds(files "arithmetic.glsl:5: not a file of the folder: #include \"scene_io.h\"" "#include \"scene_io.h\"")
+breaks(files "double_float.glsl:1: no include guard TORUS_DOUBLE_FLOAT_GLSL" double_float.glsl
+    "_DOUBLE_FLOAT_GLSL" "_D_GLSL")
+breaks(files "ray.glsl:1: no \"SPDX" ray.glsl "SPDX" "XPDS")
+breaks(files "ray_once.comp: .*torus/ray.glsl:[0-9]+: '[A-Za-z_]+' : (undeclared|no matching)"
+    ray.glsl "#include \"double_float.glsl\"" "")
+adds(files "double_float.glsl:7: not a file of the folder: #include \"scene_io.h\"" "#include \"scene_io.h\"")
 adds(files "the including shader's business: #extension" "#extension GL_EXT_control_flow_attributes : require")
 adds(files "no interface in the library: uniform" "uniform float torus_parameter;")
 adds(files "neither function nor structure: const float torus_pi = 3.14" "const float torus_pi = 3.14;")
 adds(files "neither function nor structure: float torus_state" "float torus_state;")
 adds(files "belongs to users: struct Ray" "struct Ray { vec3 origin; };")
 adds(files "reserved identifier: torus__twice" "float torus__twice(float x) { return x; }")
-adds(files "arithmetic.glsl:6: swizzle: v.xy" "\nvec2 torus_first(vec3 v) { return v.xy; }")
+adds(files "double_float.glsl:8: swizzle: v.xy" "\nvec2 torus_first(vec3 v) { return v.xy; }")
 adds(files "taken in another language: far" "float torus_one(float far) { return far; }")
 
 adds(names "function wrongName" "float wrongName() { return 1.0; }")
 adds(names "structure Helper" "struct Helper { float x; }; Helper torus_help() { return Helper(1.0); }")
-adds(names "function torus_powerOfTwoReciprocal: overloaded" "vec2 torus_powerOfTwoReciprocal(vec2 v) { return v; }")
+adds(names "function torus_invPowerOfTwo: overloaded" "vec2 torus_invPowerOfTwo(vec2 v) { return v; }")
 adds(names "#define PRECISE: does not begin" "#define PRECISE")
 adds(names "variable torus_state: global" "float torus_state; float torus_get() { return torus_state; }")
 
 set(sum "float error = (a - (sum - bInSum)) + (b - bInSum)")
-breaks(operations "arithmetic.glsl:[0-9]+: hits: FAdd is not precise" arithmetic.glsl "TORUS_PRECISE ${sum}" "${sum}")
-breaks(operations "arithmetic.glsl:[0-9]+: hits uses Fma" arithmetic.glsl "${sum}"
+breaks(operations "double_float.glsl:[0-9]+: hits: FAdd is not precise" double_float.glsl
+    "TORUS_PRECISE ${sum}" "${sum}")
+breaks(operations "double_float.glsl:[0-9]+: hits uses Fma" double_float.glsl "${sum}"
     "float error = fma(a, b, sum)")
-breaks(operations "arithmetic.glsl:[0-9]+: hits uses OpDot" arithmetic.glsl "${sum}"
+breaks(operations "double_float.glsl:[0-9]+: hits uses OpDot" double_float.glsl "${sum}"
     "float error = dot(vec2(a), vec2(b))")
-breaks(operations "arithmetic.glsl:[0-9]+: hits uses Length" arithmetic.glsl "${sum}"
+breaks(operations "double_float.glsl:[0-9]+: hits uses Length" double_float.glsl "${sum}"
     "float error = length(vec2(a, b))")
 breaks(operations "circle.glsl:[0-9]+: surface uses Atan2" circle.glsl "float turn = q * p"
     "float turn = atan(y, x)")
@@ -94,7 +96,7 @@ breaks(contract "not in the contract: struct TorusHit" torus.glsl "    vec3 posi
     "    vec3 position; vec3 normal;")
 breaks(contract "not in the contract: float torusArea" torus.glsl "// The nearest hit."
     "float torusArea() { return 1.0; }")
-adds(contract "arithmetic.glsl: public, but not in torus.glsl" "float torusArea() { return 1.0; }")
+adds(contract "double_float.glsl: public, but not in torus.glsl" "float torusArea() { return 1.0; }")
 breaks(contract "in the contract, not declared: float torusBetaSum.TorusReducedRay ray" closed_form.glsl
     "float torusBetaSum(TorusReducedRay ray)" "float torusBetaSum(TorusReducedRay line)")
 breaks(contract "closed_form.glsl: not in its contract: float torusArea" closed_form.glsl

@@ -6,27 +6,33 @@
 namespace raytorus::mutate {
 namespace {
 
-constexpr const char* line = "torus/line.glsl";
+constexpr const char* ray = "torus/ray.glsl";
 constexpr const char* torus = "torus/torus.glsl";
 constexpr const char* trace = "trace.comp";
 
 constexpr Mutation rows[] = {
-    {"radius-zero-allowed", line, "minorRadius > 0.0 && majorRadius", "minorRadius >= 0.0 && majorRadius",
+    {"radius-zero-allowed", ray, "minorRadius > 0.0 && majorRadius", "minorRadius >= 0.0 && majorRadius",
      "a tube without thickness can be hit", Shows::InNumbers},
-    {"radius-unchecked", line, "minorRadius > 0.0 && majorRadius", "majorRadius",
+    {"radius-unchecked", ray, "minorRadius > 0.0 && majorRadius", "majorRadius",
      "a negative tube radius can be hit", Shows::InNumbers},
-    {"ring-radius-unchecked", line, "majorRadius >= 0.0 && size", "size", "a negative ring radius can be hit",
+    {"ring-radius-unchecked", ray, "majorRadius >= 0.0 && tMin", "tMin", "a negative ring radius can be hit",
      Shows::InNumbers},
-    {"size-unchecked", line,
-     " && size >= TORUS_LEAST_SIZE &&\n                 size < TORUS_LARGEST_SIZE + 0x00800000u", "",
-     "reciprocals overflow", Shows::InNumbers},
-    {"direction-unchecked", line,
-     " && longest >= TORUS_LEAST_LENGTH &&\n                 longest < TORUS_LARGEST_LENGTH + 0x00800000u",
-     "", "a zero direction divides by zero", Shows::InNumbers},
-    {"empty-interval-unchecked", line, " && tMin <= tMax;", ";", "tMin > tMax, or a NaN, finds hits",
+    {"size-unchecked", ray, "size - TORUS_LEAST_SIZE < TORUS_SIZE_RANGE && ", "", "reciprocals overflow",
      Shows::InNumbers},
-    {"validity-dropped", line, "meets = valid && chord2", "meets = chord2", "what was found invalid goes on",
+    {"size-range-wide", ray, "#define TORUS_SIZE_RANGE 0x3c000000u", "#define TORUS_SIZE_RANGE 0x40000000u",
+     "the largest size too large", Shows::InNumbers},
+    {"size-range-narrow", ray, "#define TORUS_LEAST_SIZE 0x21800000u", "#define TORUS_LEAST_SIZE 0x3f000000u",
+     "the least size too large", Shows::InNumbers},
+    {"direction-unchecked", ray, " && longest - TORUS_LEAST_LENGTH < TORUS_LENGTH_RANGE", "",
+     "a zero direction divides by zero", Shows::InNumbers},
+    {"direction-range-wide", ray, "#define TORUS_LENGTH_RANGE 0x3f800000u",
+     "#define TORUS_LENGTH_RANGE 0x5f800000u", "the longest direction too long", Shows::InNumbers},
+    {"direction-range-narrow", ray, "#define TORUS_LEAST_LENGTH 0x20000000u",
+     "#define TORUS_LEAST_LENGTH 0x3e800000u", "the shortest direction too long", Shows::InNumbers},
+    {"empty-interval-unchecked", ray, " && tMin <= tMax &&", " &&", "tMin > tMax, or a NaN, finds hits",
      Shows::InNumbers},
+    {"validity-dropped", ray, "torus_Line(valid && chord2", "torus_Line(chord2",
+     "what was found invalid goes on", Shows::InNumbers},
     {"miss-keeps-a-nan", torus, "tMax >= -TORUS_FLOAT_MAX ? tMax : 0.0", "tMax", "a NaN goes through",
      Shows::InNumbers},
     {"miss-unwritten", torus, "TorusHit nearest = torus_miss(tMax)",
@@ -34,7 +40,7 @@ constexpr Mutation rows[] = {
      Shows::InNumbers},
     {"misses-past-the-count", torus, "hits[i] = torus_miss(tMax)", "hits[i] = torus_miss(0.0)",
      "entries past the count hold something else", Shows::InNumbers},
-    {"strict-ends", line, "return lower <= upper && farthest2", "return lower < upper - 1.0e-3 && farthest2",
+    {"strict-ends", ray, "return lower <= upper;", "return lower < upper - 1.0e-3;",
      "short segments are thrown away", Shows::InNumbers},
     {"trace-ends-swapped", trace, "float tMin = rays[ray + 3u]", "float tMin = rays[ray + 7u]",
      "tMin read from tMax' place", Shows::InNumbers},

@@ -9,7 +9,8 @@
 //
 // Only what the question needs: the maximum is minus the sum of the minima (f' has no quadratic term), the first
 // crossing needs one root, and any-hit none: the signs at the critical points tell.
-// What it loses: what newton_quartic.glsl loses, verdicts within the rounding of f.
+// What it loses: verdicts within the rounding of f, which is that of (R + r)^4, not of r: nearly all near tangents, and in
+// the thinnest tubes some on clear rays.
 #ifndef BRACKETED_NEWTON_GLSL
 #define BRACKETED_NEWTON_GLSL
 
@@ -31,6 +32,7 @@ float bracketedNewtonRun(ReducedQuartic f, bool derivative, float lo, float hi, 
     TORUS_PRECISE float u = 0.5 * (lo + hi);
     bool busy = wanted;
     for (int i = 0; i < QUARTIC_ROOT_STEPS && busy; ++i) {
+        TORUS_ON_STEP
         TORUS_PRECISE float cubic = (u * u + 0.5 * f.p) * u + 0.25 * f.q;
         TORUS_PRECISE float value = derivative ? cubic : quarticValue(f, u);
         TORUS_PRECISE float slope = derivative ? 3.0 * u * u + 0.5 * f.p : 4.0 * cubic;

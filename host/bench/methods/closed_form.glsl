@@ -12,10 +12,10 @@ int closedFormIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction,
         hits[i] = torus_miss(tMax);
     }
     int count = 0;
-    // The first sorts out bad input, the second rays that end before the torus.
-    torus_Ray scaled = torus_scale(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
+    // Sorts out bad input, and rays that end before the torus.
+    torus_Line line = torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
     TorusReducedRay ray;
-    if (scaled.meets && torus_reduce(scaled, tMin, tMax).meets && torusReduceRay(torus, origin, direction, ray)) {
+    if (line.meets && torus_clip(line, tMin, tMax) && torusReduceRay(torus, origin, direction, ray)) {
         float roots[4];
         int found = torusReducedRoots(torusAxialQuartic(ray), roots);
         for (int i = 0; i < found; ++i) {

@@ -3,7 +3,7 @@
 #ifndef CUBE_ROOT_GLSL
 #define CUBE_ROOT_GLSL
 
-#include "torus/arithmetic.glsl"
+#include "torus/double_float.glsl"
 
 // Of a positive normal x to some 4 %: a third of the exponent, and of the mantissa by the way (Kahan, Computing a Real
 // Cube Root, 1991). The constant balances the error.

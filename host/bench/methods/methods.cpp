@@ -11,8 +11,6 @@
 #include "raytorus_method_closed_form_common.hpp"
 #include "raytorus_method_closed_form_naive.hpp"
 #include "raytorus_method_closed_form_polished.hpp"
-#include "raytorus_method_minima_first.hpp"
-#include "raytorus_method_newton_quartic.hpp"
 #include "raytorus_method_sphere_tracing.hpp"
 #include "raytorus_method_sphere_tracing_exact.hpp"
 
@@ -27,14 +25,11 @@ constexpr double exact = 4e-7;
 
 std::span<const Method> methods() {
     static const std::array table{
-        Method{"raytorus", "the library: Newton on the extrema of the tube function, bracketed roots",
+        Method{"raytorus",
+               "the library: a march by certified steps on the reduced quartic, then an exact step",
                render::ShaderSource(), exact},
-        Method{"newton-quartic", "monotone Newton on the convex and concave pieces of the reduced quartic",
-               render::ShaderSource(newton_quartic::find), exact},
         Method{"bracketed-newton", "bracketed Newton between the critical points of the reduced quartic",
                render::ShaderSource(bracketed_newton::find), exact},
-        Method{"minima-first", "signs at the closed-form minima of the reduced quartic, then Newton",
-               render::ShaderSource(minima_first::find), exact},
         Method{"closed-form-polished",
                "the reduced quartic by its formula, mended: polished resolvent, exact last step",
                render::ShaderSource(closed_form_polished::find), exact},

@@ -18,6 +18,7 @@
 //                         (the quartic dips below zero at them), firstMinimum and secondMinimum (where), joined (it
 //                         stays below between them) and middle (else where it is largest there)
 
+#include "exact_hit.glsl"
 #include "reduced_quartic.glsl"
 
 // Within this distance from an end of the ray, in r, the end's own side says better than a rough root what crosses.
@@ -26,7 +27,7 @@
 // Where a rough root has to lie to be ahead: anywhere if the ray enters through the bounding sphere.
 float quarticFrom(torus_Line line) {
     TORUS_PRECISE float from = line.lower - QUARTIC_ROOM * line.minorRadius;
-    return line.lower > line.enter ? from : -TORUS_FLOAT_MAX;
+    return line.fromStart ? from : -TORUS_FLOAT_MAX;
 }
 
 #ifdef QUARTIC_DIPS
@@ -76,18 +77,17 @@ bool quarticBetween(torus_Line line, QUARTIC_STATE state, bool inside) {
 bool QUARTIC_INTERSECT(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out TorusHit hit) {
     TorusHit nearest = torus_miss(tMax);
     bool hits = false;
-    torus_Ray ray = torus_scale(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
-    if (ray.meets) {
-        torus_Line line = torus_reduce(ray, tMin, tMax);
-        if (torus_cut(line)) {
-            QUARTIC_STATE state = QUARTIC_PREPARE(line);
-            float slope;
-            bool inside = torus_tube(line, line.lower, slope) < 0.0;
-            float from = quarticFrom(line);
-            float u = 0.0;
-            if (QUARTIC_FIRST(line, state, inside, from, u)) {
-                torus_End end = torus_lastStep(line, torus_quartic(line), u, inside, false, true);
-                hits = torus_reaches(line, end, tMin, tMax, nearest);
+    torus_Line line = torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
+    if (line.meets && torus_clip(line, tMin, tMax)) {
+        QUARTIC_STATE state = QUARTIC_PREPARE(line);
+        bool inside = exactHitInside(line, line.lower);
+        float from = quarticFrom(line);
+        float u = 0.0;
+        if (QUARTIC_FIRST(line, state, inside, from, u)) {
+            torus_Crossing crossing = exactHitAt(line, u, inside);
+            hits = crossing.found && torus_isWithin(line, crossing);
+            if (hits) {
+                nearest = torus_hitAt(line, crossing, tMin, tMax);
             }
         }
     }
@@ -98,17 +98,13 @@ bool QUARTIC_INTERSECT(Torus torus, vec3 origin, float tMin, vec3 direction, flo
 // Ends on different sides, or a crossing between them.
 bool QUARTIC_OCCLUDED(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax) {
     bool crosses = false;
-    torus_Ray ray = torus_scale(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
-    if (ray.meets) {
-        torus_Line line = torus_reduce(ray, tMin, tMax);
-        if (torus_cut(line)) {
-            QUARTIC_STATE state = QUARTIC_PREPARE(line);
-            float slope;
-            bool insideLower = torus_tube(line, line.lower, slope) < 0.0;
-            bool insideUpper = torus_tube(line, line.upper, slope) < 0.0;
-            bool between = QUARTIC_BETWEEN(line, state, insideLower);
-            crosses = insideLower != insideUpper || between;
-        }
+    torus_Line line = torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
+    if (line.meets && torus_clip(line, tMin, tMax)) {
+        QUARTIC_STATE state = QUARTIC_PREPARE(line);
+        bool insideLower = exactHitInside(line, line.lower);
+        bool insideUpper = exactHitInside(line, line.upper);
+        bool between = QUARTIC_BETWEEN(line, state, insideLower);
+        crosses = insideLower != insideUpper || between;
     }
     return crosses;
 }
@@ -118,19 +114,18 @@ int QUARTIC_INTERSECT_ALL(Torus torus, vec3 origin, float tMin, vec3 direction, 
         hits[i] = torus_miss(tMax);
     }
     int count = 0;
-    torus_Ray ray = torus_scale(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
-    if (ray.meets) {
-        torus_Line line = torus_reduce(ray, tMin, tMax);
-        if (torus_cut(line)) {
-            QUARTIC_STATE state = QUARTIC_PREPARE(line);
-            for (int i = 0; i < 4; ++i) {
-                float u = 0.0;
-                if (QUARTIC_ROOT(line, state, i, u)) {
-                    torus_End end = torus_lastStep(line, torus_quartic(line), u, i % 2 == 1, false, true);
-                    if (torus_wayTo(line, end, tMin) <= 0.0 && torus_wayTo(line, end, tMax) >= 0.0) {
-                        hits[count] = torus_hitAt(line, end, tMin, tMax);
-                        ++count;
-                    }
+    torus_Line line = torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
+    if (line.meets && torus_clip(line, tMin, tMax)) {
+        QUARTIC_STATE state = QUARTIC_PREPARE(line);
+        float from = quarticFrom(line);
+        for (int i = 0; i < 4; ++i) {
+            float u = 0.0;
+            if (QUARTIC_ROOT(line, state, i, u) && u >= from) {
+                torus_Crossing crossing = exactHitAt(line, u, i % 2 == 1);
+                TorusHit hit = torus_hitAt(line, crossing, -TORUS_FLOAT_MAX, tMax);
+                if (crossing.found && hit.t >= tMin && torus_isWithin(line, crossing)) {
+                    hits[count] = hit;
+                    ++count;
                 }
             }
         }

@@ -6,7 +6,7 @@
 //     f(u) = ((dd u^2 + K)^2 - 4 R^2 (n u^2 + 2 m u + rho0^2)) / dd^2 = u^4 + p u^2 + q u + s:
 //
 // the cubic term is gone, the inflections are symmetric, and nothing is larger than the torus.
-// f is G(u) ((rho + R)^2 + z^2 - r^2) / dd^2, G the tube function of tube.glsl, so it has the roots of the inner sheet
+// f is G(u) ((rho + R)^2 + z^2 - r^2) / dd^2, G the tube function of refine.glsl, so it has the roots of the inner sheet
 // of a spindle too; on the outer sheet dd u^2 + K = 2 R rho is not negative.
 //
 // Everything is in the line's parameter u, `precise` as in the library, so that only the root finding differs.
@@ -24,6 +24,8 @@ struct ReducedQuartic {
     float enough;   // a step to a root that is shorter than this is enough: the last step does the rest
 };
 
+// A step below this part of r is enough: the last step does the rest.
+#define QUARTIC_ENOUGH 0.0009765625
 // Steps to a root; near a tangent Newton only halves the error, 24 halvings exhaust float32.
 #define QUARTIC_ROOT_STEPS 24
 
@@ -36,17 +38,19 @@ ReducedQuartic reducedQuartic(torus_Line line) {
     TORUS_PRECISE float z2 = line.foot.z * line.foot.z;
     TORUS_PRECISE float rho = sqrt(rho2);
     TORUS_PRECISE float inner = rho - R;
-    TORUS_PRECISE float outer = rho + R;
+    TORUS_PRECISE float beyond = rho + R;
     // The constant as a product: expanded, its terms cancel to nothing of a thin tube.
     TORUS_PRECISE float tube = ((inner - line.minorRadius) * (inner + line.minorRadius) + z2) * perDd;
-    TORUS_PRECISE float other = ((outer - line.minorRadius) * (outer + line.minorRadius) + z2) * perDd;
+    TORUS_PRECISE float other = ((beyond - line.minorRadius) * (beyond + line.minorRadius) + z2) * perDd;
     TORUS_PRECISE float k = 0.5 * (tube + other);
     TORUS_PRECISE float scale = -4.0 * R * R * perDd * perDd;
     TORUS_PRECISE float p = 2.0 * k + scale * n;
     TORUS_PRECISE float q = 2.0 * scale * m;
     TORUS_PRECISE float s = tube * other;
-    TORUS_PRECISE float enough = TORUS_ROOT_STEP * line.minorRadius;
-    return ReducedQuartic(p, q, s, k, line.halfChord, enough);
+    TORUS_PRECISE float enough = QUARTIC_ENOUGH * line.minorRadius;
+    TORUS_PRECISE float outer = R + line.minorRadius;
+    TORUS_PRECISE float reach = sqrt(max(TORUS_SPHERE_PADDING * outer * outer - line.foot2, 0.0) * perDd);
+    return ReducedQuartic(p, q, s, k, reach, enough);
 }
 
 float quarticValue(ReducedQuartic f, float u) {

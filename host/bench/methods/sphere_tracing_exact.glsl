@@ -7,7 +7,7 @@
 #ifndef SPHERE_TRACING_EXACT_GLSL
 #define SPHERE_TRACING_EXACT_GLSL
 
-#include "torus/torus.glsl"
+#include "exact_hit.glsl"
 
 #define MARCH_STEPS 128
 #define MARCH_NEAR 1.0e-4
@@ -49,20 +49,21 @@ void marchAcross(torus_Line line, float perLength, inout float u, inout bool ins
 
 // The start of marching.
 bool marchesInside(torus_Line line) {
-    return line.lower > line.enter && marchDistance(line, line.lower) < 0.0;
+    return line.fromStart && marchDistance(line, line.lower) < 0.0;
 }
 
 bool marchIntersect(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out TorusHit hit) {
     TorusHit nearest = torus_miss(tMax);
     bool hits = false;
-    torus_Ray ray = torus_scale(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
-    if (ray.meets) {
-        torus_Line line = torus_reduce(ray, tMin, tMax);
-        bool inside = marchesInside(line);
-        float u = line.lower;
-        if (line.meets && marchOn(line, inversesqrt(line.length2), inside, u)) {
-            torus_End end = torus_lastStep(line, torus_quartic(line), u, inside, false, true);
-            hits = torus_reaches(line, end, tMin, tMax, nearest);
+    torus_Line line = torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
+    bool clipped = line.meets && torus_clip(line, tMin, tMax);
+    bool inside = marchesInside(line);
+    float u = line.lower;
+    if (clipped && marchOn(line, inversesqrt(line.length2), inside, u)) {
+        torus_Crossing crossing = exactHitAt(line, u, inside);
+        hits = crossing.found && torus_isWithin(line, crossing);
+        if (hits) {
+            nearest = torus_hitAt(line, crossing, tMin, tMax);
         }
     }
     hit = nearest;
@@ -70,14 +71,10 @@ bool marchIntersect(Torus torus, vec3 origin, float tMin, vec3 direction, float 
 }
 
 bool marchOccluded(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax) {
-    bool crosses = false;
-    torus_Ray ray = torus_scale(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
-    if (ray.meets) {
-        torus_Line line = torus_reduce(ray, tMin, tMax);
-        float u = line.lower;
-        crosses = line.meets && marchOn(line, inversesqrt(line.length2), marchesInside(line), u);
-    }
-    return crosses;
+    torus_Line line = torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
+    bool clipped = line.meets && torus_clip(line, tMin, tMax);
+    float u = line.lower;
+    return clipped && marchOn(line, inversesqrt(line.length2), marchesInside(line), u);
 }
 
 int marchIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out TorusHit hits[4]) {
@@ -85,24 +82,22 @@ int marchIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, floa
         hits[i] = torus_miss(tMax);
     }
     int count = 0;
-    torus_Ray ray = torus_scale(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
-    if (ray.meets) {
-        torus_Line line = torus_reduce(ray, tMin, tMax);
-        float perLength = inversesqrt(line.length2);
-        bool inside = marchesInside(line);
-        float u = line.lower;
-        while (line.meets && count < 4 && marchOn(line, perLength, inside, u)) {
-            bool before = inside;
-            float met = u;
-            marchAcross(line, perLength, u, inside);
-            // Back on the same side: a graze, into the solid and out of it within the stopping distance.
-            int crossings = before == inside ? 2 : 1;
-            for (int i = 0; i < crossings && count < 4; ++i) {
-                torus_End end = torus_lastStep(line, torus_quartic(line), met, i == 0 ? before : !before, false, true);
-                if (torus_wayTo(line, end, tMax) >= 0.0) {
-                    hits[count] = torus_hitAt(line, end, tMin, tMax);
-                    ++count;
-                }
+    torus_Line line = torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
+    float perLength = inversesqrt(line.length2);
+    bool clipped = line.meets && torus_clip(line, tMin, tMax);
+    bool inside = marchesInside(line);
+    float u = line.lower;
+    while (clipped && count < 4 && marchOn(line, perLength, inside, u)) {
+        bool before = inside;
+        float met = u;
+        marchAcross(line, perLength, u, inside);
+        // Back on the same side: a graze, into the solid and out of it within the stopping distance.
+        int crossings = before == inside ? 2 : 1;
+        for (int i = 0; i < crossings && count < 4; ++i) {
+            torus_Crossing crossing = exactHitAt(line, met, i == 0 ? before : !before);
+            if (crossing.found && torus_isWithin(line, crossing)) {
+                hits[count] = torus_hitAt(line, crossing, tMin, tMax);
+                ++count;
             }
         }
     }

@@ -7,35 +7,27 @@
 
 #include "torus/torus.glsl"
 
-// The last step of a clear crossing, without the question whether this is one.
-TorusHit exactEndsHit(torus_Line line, float u, bool rising, float tMin, float tMax) {
-    torus_End end = torus_clearStep(line, torus_quartic(line), u, rising);
-    return torus_hitAt(line, end, tMin, tMax);
+// One refinement, without the question whether it found anything.
+TorusHit exactEndsHit(torus_Line line, float u, bool leaves, float tMin, float tMax) {
+    torus_March march = torus_March(u, leaves ? -1.0 : 1.0, 0.0, true, true, false, false, 0.0, 0.0);
+    return torus_hitAt(line, torus_refine(line, march), tMin, tMax);
 }
 
 bool exactEndsIntersect(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out TorusHit hit) {
     TorusHit nearest = torus_miss(tMax);
     bool hits = false;
-    torus_Ray ray = torus_scale(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
-    if (ray.meets) {
-        torus_Line line = torus_reduce(ray, tMin, tMax);
-        hits = torus_cut(line);
-        if (hits) {
-            nearest = exactEndsHit(line, line.lower, false, tMin, tMax);
-        }
+    torus_Line line = torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
+    if (line.meets && torus_clip(line, tMin, tMax)) {
+        hits = true;
+        nearest = exactEndsHit(line, line.lower, false, tMin, tMax);
     }
     hit = nearest;
     return hits;
 }
 
 bool exactEndsOccluded(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax) {
-    bool hits = false;
-    torus_Ray ray = torus_scale(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
-    if (ray.meets) {
-        torus_Line line = torus_reduce(ray, tMin, tMax);
-        hits = torus_cut(line);
-    }
-    return hits;
+    torus_Line line = torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
+    return line.meets && torus_clip(line, tMin, tMax);
 }
 
 int exactEndsIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out TorusHit hits[4]) {
@@ -43,16 +35,13 @@ int exactEndsIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, 
         hits[i] = torus_miss(tMax);
     }
     int count = 0;
-    torus_Ray ray = torus_scale(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
-    if (ray.meets) {
-        torus_Line line = torus_reduce(ray, tMin, tMax);
-        if (torus_cut(line)) {
-            for (int i = 0; i < 2; ++i) {
-                bool rising = i == 1;
-                hits[i] = exactEndsHit(line, rising ? line.upper : line.lower, rising, tMin, tMax);
-            }
-            count = 2;
+    torus_Line line = torus_reduce(torus.majorRadius, torus.minorRadius, origin, tMin, direction, tMax);
+    if (line.meets && torus_clip(line, tMin, tMax)) {
+        for (int i = 0; i < 2; ++i) {
+            bool leaves = i == 1;
+            hits[i] = exactEndsHit(line, leaves ? line.upper : line.lower, leaves, tMin, tMax);
         }
+        count = 2;
     }
     return count;
 }
