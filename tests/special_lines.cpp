@@ -151,6 +151,9 @@ std::vector<SpecialLines> meetTheDimplesOfASpindle() {
         rays.push_back(along({5, offset, 1.125F}, {-1, 0, 0}));          // across the dimple
         rays.push_back(along({5, 0.125F, 1.25F + offset}, {-1, 0, 0}));  // touches the top circle
         rays.push_back(along({0, offset, 1.0625F}, {0.5F, 0, 0.125F}));  // from within the dimple
+        for (const float slope : {0.001F, 0.01F, 0.1F, 0.34F}) {
+            rays.push_back(along({3 * slope, offset, 4}, {-slope, 0, -1}));  // at many angles into the tip
+        }
     }
     addLines(lines, {0.75F, 1.25F}, rays);
     return lines;
@@ -165,6 +168,34 @@ std::vector<SpecialLines> haveHitsManyDecadesApartOrInOneFloat() {
                  {along({-1e8F, 0, 0}, {1, 0, 0}), along({0, 0, -1e8F}, {0, 0, 1e-8F}),
                   along({-0x1p26F, -0x1p26F, 0}, {1, 1, 0})});
     }
+    return lines;
+}
+
+// An end within what the march can be off by, but farther from the surface than what leaves it open: just
+// before and just behind the crossings of a tube, and in a dimple above its tip, between the spindle's top
+// and its surface.
+std::vector<SpecialLines> endBesideACrossing() {
+    std::vector<SpecialLines> lines;
+    const auto upTo = [](Ray ray, float tMax) {
+        ray.tMax = tMax;
+        return ray;
+    };
+    for (const float minorRadius : {0x1p-10F, 0x1p-7F, 0.25F}) {
+        std::vector<Ray> rays;
+        for (const float slack : {-6e-6F, -2e-6F, 2e-6F, 6e-6F}) {
+            const float outer = 1 + minorRadius;
+            rays.push_back(upTo(along({outer + 2, 0, 0}, {-1, 0, 0}), 2 + slack));
+            rays.push_back(upTo(along({0, outer + 1, -0.5F}, {0, -2, 1}), 0.5F + 0.5F * slack));
+            rays.push_back(upTo(along({0, 0, 0}, {-1, 0, 0}), outer + slack));
+        }
+        addLines(lines, {1, minorRadius}, rays);
+    }
+    std::vector<Ray> rays;
+    for (const float z : {1.0625F, 1.125F, 1.1875F}) {
+        rays.push_back(upTo(along({0.015625F, 0, 5}, {0, 0, -1}), 5 - z));
+        rays.push_back(upTo(along({0, -3, -3 - z}, {0, 1, 1}), 3));
+    }
+    addLines(lines, {0.75F, 1.25F}, rays);
     return lines;
 }
 
@@ -185,6 +216,14 @@ std::vector<SpecialLines> runAlongThinTubes() {
                          {-0x1.3ff0bap-1F, 0x1.3eb8b8p-2F, 0x1.6e966p-1F}));
     rays.push_back(along({-0x1.556b5ap-1F, 0x1.ecfae4p+1F, -0x1.3a8ee2p-1F},
                          {0x1.9a061ap-4F, -0x1.f28e5p-1F, 0x1.a2be64p-3F}));
+    // From nearly as far as an origin stays where it is, with the foot's rounding; and four hits from far
+    // away.
+    rays.push_back(along({-0x1.4b9beap+2F, 0x1.fa6a48p-1F, 0x1.0cdcep+2F},
+                         {0x1.68ccecp-1F, -0x1.d35e0ap-4F, -0x1.668b56p-1F}));
+    rays.push_back(along({-0x1.c85954p+0F, -0x1.fba8aap+1F, -0x1.620bc2p+1F},
+                         {0x1.99808cp-2F, 0x1.958e1cp-1F, 0x1.d83648p-2F}));
+    rays.push_back(along({-0x1.1710a2p+5F, -0x1.76d104p+6F, 0x1.8fc9cap+0F},
+                         {0x1.6ec718p-2F, 0x1.ddf682p-1F, -0x1.ffda18p-7F}));
     // Past a place that comes within 2e-6 r of the surface, on to a crossing.
     const std::vector<Ray> pastNearMisses = {along({0x1.afc35ap+2F, 0x1.dae8ccp+2F, 0x1.eb6f36p-1F},
                                                    {-0x1.7a63f4p-1F, -0x1.5569aap-1F, -0x1.8814c6p-4F}),
@@ -240,6 +279,7 @@ std::span<const SpecialLinesOf> allSpecialLines() {
         SpecialLinesOf{"lines that meet the dimples of a spindle", meetTheDimplesOfASpindle},
         SpecialLinesOf{"lines that have hits many decades apart or in one float",
                        haveHitsManyDecadesApartOrInOneFloat},
+        SpecialLinesOf{"lines that end beside a crossing", endBesideACrossing},
         SpecialLinesOf{"lines that run along thin tubes", runAlongThinTubes},
         SpecialLinesOf{"lines that cross at small angles", crossAtSmallAngles},
     };

@@ -50,6 +50,10 @@ TEST_F(LinesInSpecialPositions, HaveHitsManyDecadesApartOrInOneFloat) {
     expectRight(haveHitsManyDecadesApartOrInOneFloat());
 }
 
+TEST_F(LinesInSpecialPositions, EndBesideACrossing) {
+    expectRight(endBesideACrossing());
+}
+
 TEST_F(LinesInSpecialPositions, RunAlongThinTubes) {
     expectRight(runAlongThinTubes());
 }

@@ -40,8 +40,6 @@ constexpr Mutation rows[] = {
      "#define TORUS_THIRD_ORDER 7.450580597e-5", "what the parabola leaves out, by a factor"},
     {"good-long-step-coarse", refine, "#define TORUS_LONG_STEP 0.015625", "#define TORUS_LONG_STEP 16.0",
      "the same, by a factor", Shows::InNumbers},
-    {"good-short-t", refine, "#define TORUS_SHORT_T 0.0625", "#define TORUS_SHORT_T 1.0",
-     "the digits of a short t forgotten", Shows::InNumbers},
     {"good-though-late", refine, "good = tiny || march.known ||", "good = tiny ||",
      "a crossing that there must be is refined for ever", Shows::InNumbers},
     {"tiny-step-never", refine, "size <= TORUS_TINY_STEP || (size", "(size",
