@@ -229,7 +229,16 @@ std::vector<SpecialLines> runAlongThinTubes() {
                                                    {-0x1.7a63f4p-1F, -0x1.5569aap-1F, -0x1.8814c6p-4F}),
                                              along({-0x1.cea5ccp+2F, -0x1.ba1c5ap+2F, 0x1.0f8b58p-3F},
                                                    {0x1.4d0cdap-1F, 0x1.84cdd2p-1F, -0x1.d1fd5cp-7F})};
-    return {{{1, 0x1.0624dep-10F}, rays}, {{1, 0x1.47ae14p-7F}, pastNearMisses}};
+    // Through a tube as thin as the march goes on from a crossing: the way out is still to come.
+    const std::vector<Ray> throughHairs = {along({0x1.4d0a6p-2F, 0x1.ca7b56p-1F, 0x1.2899f2p+0F},
+                                                 {0x1.af20e2p-2F, -0x1.186098p-1F, -0x1.7238fp-1F}),
+                                           along({-0x1.c7714ap-2F, -0x1.953b62p-3F, 0x1.6b3752p+0F},
+                                                 {-0x1.05027cp-2F, 0x1.b83e0cp-2F, -0x1.bb7672p-1F}),
+                                           along({0x1.f24e3ap-1F, 0x1.3c234cp-2F, 0x1.194e0ep+0F},
+                                                 {-0x1.d68908p-6F, -0x1.076456p-1F, -0x1.b6cedap-1F})};
+    return {{{1, 0x1.0624dep-10F}, rays},
+            {{1, 0x1.47ae14p-7F}, pastNearMisses},
+            {{1, 0x1.0c6f7ap-20F}, throughHairs}};
 }
 
 // Crossings whose sine goes from 1/256 to 1/8, seen from as far as their refinement begins at the origin
