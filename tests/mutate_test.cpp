@@ -135,7 +135,7 @@ TEST(ProgramMutate, AnswersAsDocumented) {
     const test::ProgramResult found = run({"--only", "fragment-next-pixel"});
     EXPECT_EQ(found.exitCode, 0) << testing::PrintToString(found);
     EXPECT_TRUE(found.out.ends_with("the bar is held\n")) << found.out;
-    const test::ProgramResult missed = run({"--only", "all-beyond-the-end", "--rays", "1"});
+    const test::ProgramResult missed = run({"--only", "far-move-rounded", "--rays", "1"});
     EXPECT_EQ(missed.exitCode, static_cast<int>(ExitCode::ComparisonFailed)) << "one ray a cell is too few";
     EXPECT_TRUE(missed.out.ends_with("the bar is missed\n")) << missed.out;
 }

@@ -52,7 +52,7 @@ struct torus_Line {
 
 // Padding of the planes, in units: more than rounding and than how far the march goes on from a crossing, or it would be
 // past the planes in a tube as thin as that, with the way out still to come.
-#define TORUS_PLANE_PADDING 8.0e-6
+#define TORUS_PLANE_PADDING 6.0e-6
 
 // Padding of the ray's end, in lengths of the direction: more than the march can be off by. Whether a crossing is before the
 // end is decided by its exact place.

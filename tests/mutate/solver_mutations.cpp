@@ -38,7 +38,7 @@ constexpr Mutation rows[] = {
 
     {"slab-too-thin", ray, "(line.minorRadius + TORUS_PLANE_PADDING) * invRise",
      "0.9 * line.minorRadius * invRise", "the planes cut the tube's top and bottom off"},
-    {"slab-without-padding", ray, "#define TORUS_PLANE_PADDING 8.0e-6", "#define TORUS_PLANE_PADDING 0.0",
+    {"slab-without-padding", ray, "#define TORUS_PLANE_PADDING 6.0e-6", "#define TORUS_PLANE_PADDING 0.0",
      "rounding puts the hits of the top circle above the planes"},
     {"slab-upside-down", ray, "line.direction.z < 0.0 ? invRise : -invRise",
      "line.direction.z > 0.0 ? invRise : -invRise", "the planes on the other side of the foot"},
