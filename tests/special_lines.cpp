@@ -115,7 +115,7 @@ std::vector<SpecialLines> runAlongTheAxisOrBesideIt() {
     std::vector<SpecialLines> lines;
     for (const float minorRadius : {0x1p-10F, 0.25F, 1.0F, 1.25F, 4.0F}) {
         std::vector<Ray> rays;
-        for (const float x : {0.0F, -0.0F, 1e-38F, 1e-30F, 1e-12F, 1e-7F, 1e-4F}) {
+        for (const float x : {0.0F, -0.0F, 1e-38F, 1e-30F, 1e-12F, 1.6e-11F, 1e-7F, 1e-4F}) {
             rays.push_back(along({x, -0.0F, 5}, {0, -0.0F, -1}));
             rays.push_back(along({0, x, -5}, {-0.0F, 0, 3}));
         }
@@ -135,6 +135,9 @@ std::vector<SpecialLines> meetTheTipOfAHorn() {
         rays.push_back(along({0.5F + offset, 0, 4}, {-0.125F, 0, -1}));
         rays.push_back(along({offset, 0, 0}, {0.5F, 0.5F, 0.0625F}));  // starts at the tip
     }
+    // Through the centre, where only the rounding of the surface is left to follow.
+    rays.push_back(
+        along({0x1.3b951p+2F, 0x1.0c737p+2F, -0x1.2b98ep+2F}, {-0x1.decp-1F, -0x1.974p-1F, 0x1.c68p-1F}));
     addLines(lines, {1, 1}, rays);
     return lines;
 }

@@ -79,6 +79,7 @@ std::vector<verify::Cell> cells() {
     }
     // Where the moment of an origin is rounded by as much as the torus is long.
     cells.push_back({reference::RayClass::equatorial, 0.9F, 1e8});
+    cells.push_back({reference::RayClass::segment, 0.9F, 1e8});
     return cells;
 }
 
