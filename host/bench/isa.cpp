@@ -58,8 +58,7 @@ IsaRow countOne(gpu::Context& context, const TimedMethod& method, render::Query 
                      {TRACE_BINDING_HITS, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}};
     info.pushConstantBytes = 2 * sizeof(float);
     info.specialization = {queryConstant(query)};
-    info.flags = VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR |
-                 VK_PIPELINE_CREATE_CAPTURE_INTERNAL_REPRESENTATIONS_BIT_KHR;
+    info.flags = VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR;
     const gpu::ShaderModule shader(context, method.shaders.load("one_ray.comp"),
                                    "one_ray.comp of " + method.name);
     const gpu::Pipeline pipeline = gpu::makeComputePipeline(context, shader, info);
@@ -73,25 +72,6 @@ IsaRow countOne(gpu::Context& context, const TimedMethod& method, render::Query 
         count, {VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_STATISTIC_KHR});
     gpu::check(list(context.device(), &executable, &count, statistics.data()),
                "vkGetPipelineExecutableStatisticsKHR");
-    if (getenv("DUMP")) {
-        const auto rep = functionOf<PFN_vkGetPipelineExecutableInternalRepresentationsKHR>(
-            context.device(), "vkGetPipelineExecutableInternalRepresentationsKHR");
-        std::uint32_t n = 0;
-        rep(context.device(), &executable, &n, nullptr);
-        std::vector<VkPipelineExecutableInternalRepresentationKHR> reps(
-            n, {VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_INTERNAL_REPRESENTATION_KHR});
-        rep(context.device(), &executable, &n, reps.data());
-        std::vector<std::vector<char>> bufs;
-        for (auto& x : reps) {
-            bufs.emplace_back(x.dataSize + 1);
-            x.pData = bufs.back().data();
-        }
-        rep(context.device(), &executable, &n, reps.data());
-        for (auto& x : reps) {
-            fprintf(stderr, "=== %s %s\n%s\n", method.name.c_str(), x.name,
-                    static_cast<const char*>(x.pData));
-        }
-    }
     IsaRow row{method.name, query, {}};
     for (const VkPipelineExecutableStatisticKHR& statistic : statistics) {
         row.statistics.emplace_back(statistic.name, valueOf(statistic));
