@@ -5,8 +5,24 @@
 #ifndef TORUS_DOUBLE_FLOAT_GLSL
 #define TORUS_DOUBLE_FLOAT_GLSL
 
+// Whether doubts are decided and crossings refined by sums of two floats.
+#ifdef TORUS_FAST
+#define TORUS_EXACT false
+#else
+#define TORUS_EXACT true
+#endif
+
 // `precise` forbids the reassociation and contraction that would change bits between drivers and undo error-free
-// operations. Compiled as another language, define it before the include as whatever says the same there.
+// operations. Compiled as another language, define it before the include as whatever says the same there. The fast tier
+// needs it in one place alone, and else lets the compiler contract.
+#ifdef TORUS_FAST
+#ifndef TORUS_ROUNDED
+#define TORUS_ROUNDED precise
+#endif
+#ifndef TORUS_PRECISE
+#define TORUS_PRECISE
+#endif
+#endif
 #ifndef TORUS_PRECISE
 #define TORUS_PRECISE precise
 #endif

@@ -17,28 +17,38 @@
 // (math.md, eq. 30).
 // With a reach of twice the last step the parabola is nearly f, and the steps converge faster than Newton's.
 //
-// Where rounding could turn the sign of the parabola's discriminant, and near a crossing, refine.glsl takes over.
+// Near a crossing, refine.glsl takes over, and where rounding could turn the sign of the parabola's discriminant. The fast
+// tier takes that sign as it is, and refine_fast.glsl takes over near a crossing.
 #ifndef TORUS_MARCH_GLSL
 #define TORUS_MARCH_GLSL
 
 #include "ray.glsl"
 
-// A statement for each step of each loop, for counting them: empty unless defined before.
+// Statements for each pass, each step and each refinement, for counting them: empty unless defined before.
+#ifndef TORUS_ON_PASS
+#define TORUS_ON_PASS
+#endif
 #ifndef TORUS_ON_STEP
 #define TORUS_ON_STEP
 #endif
+#ifndef TORUS_ON_REFINEMENT
+#define TORUS_ON_REFINEMENT
+#endif
 
-// Steps of one search. Compilers unroll a loop as short as this. A search that needs more is continued by the next.
-#define TORUS_SEARCH_STEPS 6
-// Searches of a query, each with a refinement. Four crossings need four; the rest is for tangents, and for the tip of a
-// horn, where f is as flat as a fourth power.
-#define TORUS_SEARCHES 64
-// A step below this part of r is the search's last one.
+// A pass is some steps and the refinement after them. A crossing that needs more steps is found by the next pass; loops as
+// short as this are unrolled by compilers.
+#define TORUS_PASS_STEPS 4
+// Passes of a query. Four crossings need four to eight; the rest is for tangents, and for the tip of a horn, where f is as
+// flat as a fourth power.
+#define TORUS_PASSES 64
+// A step below this part of r may lead to a crossing.
 #define TORUS_LAST_STEP 0.015625
+// ... or a step of this length, in units: u itself is rounded by as much.
+#define TORUS_STEP_ROUNDING 1.1920929e-7
 // What rounding can make of 2 a, in units of R + r and twice the largest coordinate of the base, the rounding of which the
 // foot inherits, over dd. On the surface a is e at most.
 #define TORUS_BLUR 1.2e-6
-// The next parabola holds at least this part of the last step ahead.
+// The next parabola holds at least this part of such a step ahead. No step of the fast tier but to a crossing is shorter.
 #define TORUS_LEAST_REACH 0.0625
 // Farther than any crossing, in lengths of the direction.
 #define TORUS_BEYOND 8.0
@@ -49,11 +59,12 @@ struct torus_Quartic {
     float b1;
     float edge2;      // e^2
     float innerEnd;   // inside the sphere |u| < innerEnd, on which the inner sheet of a spindle ends, all is inside; else 0
-    float blur;       // rounding can have made this much of f
-    float lastStep;
+    float blurOfA;    // rounding can have made this much of 2 a ...
+    float blur;       // ... and this much of f
+    float minorRadius;
 };
 
-torus_Quartic torus_quartic(torus_Line line) {
+torus_Quartic torus_quartic(const torus_Line line) {
     TORUS_PRECISE float R = line.majorRadius;
     TORUS_PRECISE float r = line.minorRadius;
     TORUS_PRECISE float invDd = line.invLength2;
@@ -66,13 +77,13 @@ torus_Quartic torus_quartic(torus_Line line) {
     TORUS_PRECISE float innerEnd = sqrt(max(-(k + twoR * R), 0.0));
     TORUS_PRECISE float blurOfA = TORUS_BLUR * (R + r + 2.0 * line.farthest) * invDd;
     TORUS_PRECISE float blur = blurOfA * (edge + blurOfA);
-    TORUS_PRECISE float lastStep = TORUS_LAST_STEP * r;
-    return torus_Quartic(k, b0, b1, edge2, innerEnd, blur, lastStep);
+    return torus_Quartic(k, b0, b1, edge2, innerEnd, blurOfA, blur, r);
 }
 
 // Where the march is.
 struct torus_March {
     float u;
+    float from;       // no crossing before is still to be found
     float side;       // 1: outside, -1: inside, 0: to be decided by the refinement that is due
     float reach;      // the next step's parabola has to hold as far ahead
     bool searching;   // false: no further crossing
@@ -85,102 +96,141 @@ struct torus_March {
 
 // How far ahead the first parabola has to hold: from outside to the end, and inside twice the tube's radius, for the
 // farther it holds, the less it bends.
-float torus_firstReach(torus_Line line, float side) {
+float torus_firstReach(const torus_Line line, float side) {
     TORUS_PRECISE float diameter = 2.0 * line.minorRadius;
     return side < 0.0 ? diameter : TORUS_BEYOND;
 }
 
-torus_March torus_startMarch(torus_Line line, torus_Quartic quartic) {
+torus_March torus_startMarch(const torus_Line line, const torus_Quartic quartic) {
     TORUS_PRECISE float u = line.lower;
     TORUS_PRECISE float a = u * u + quartic.k;
     TORUS_PRECISE float b = quartic.b0 + u * quartic.b1;
     TORUS_PRECISE float f = a * a + (b * b - quartic.edge2);
-    // Of a start on the surface, the refinement decides.
+    // Of a start on the surface, the refinement decides; the fast tier takes the side to which the ray goes.
     bool within = u >= -quartic.innerEnd && u < quartic.innerEnd;
-    bool inside = line.fromStart && (f < 0.0 || within);
-    bool doubtful = line.fromStart && abs(f) <= quartic.blur && !within;
+    bool onSurface = abs(f) <= quartic.blur;
+    TORUS_PRECISE float h = 2.0 * u * a + quartic.b1 * b;
+    bool below = (!TORUS_EXACT && onSurface ? h : f) < 0.0;
+    bool inside = line.fromStart && (below || within);
+    bool doubtful = TORUS_EXACT && line.fromStart && onSurface && !within;
     float side = inside ? -1.0 : 1.0;
-    return torus_March(u, doubtful ? 0.0 : side, torus_firstReach(line, side), true, doubtful, false, false, 0.0, 0.0);
+    return torus_March(u, u, doubtful ? 0.0 : side, torus_firstReach(line, side), true, doubtful, false, false, 0.0, 0.0);
 }
 
-// One step towards the next crossing, or a decision that it is time for a refinement.
-void torus_step(torus_Quartic quartic, float limit, inout torus_March march) {
+// A parabola g + 2 s x + C x^2 that is positive at x = 0 and, up to the march's reach, not above f outside, or -f inside.
+struct torus_Parabola {
+    float g;
+    float s;
+    float C;
+    float bend;  // how fast the slope of f can change, with room for what a far reach makes of C
+};
+
+torus_Parabola torus_parabola(const torus_Quartic quartic, torus_March march) {
     float u = march.u;
-    float reach = march.reach;
-    bool known = march.known;
     TORUS_PRECISE float twoU = 2.0 * u;
     TORUS_PRECISE float a = u * u + quartic.k;
     TORUS_PRECISE float b = quartic.b0 + u * quartic.b1;
     TORUS_PRECISE float f = a * a + (b * b - quartic.edge2);
     TORUS_PRECISE float h = twoU * a + quartic.b1 * b;
     TORUS_PRECISE float c = 2.0 * a + quartic.b1 * quartic.b1;
-    f = known ? march.f : f;
-    h = known ? march.h : h;
+    if (TORUS_EXACT) {
+        f = march.known ? march.f : f;
+        h = march.known ? march.h : h;
+    }
     // (2 u + x)^2 within reach: at least `bound`^2 outside, at most inside.
-    TORUS_PRECISE float ahead = twoU + reach;
-    TORUS_PRECISE float least = twoU > 0.0 ? twoU : min(ahead, 0.0);
+    TORUS_PRECISE float ahead = twoU + march.reach;
+    TORUS_PRECISE float least = max(max(twoU, -ahead), 0.0);
     TORUS_PRECISE float bound = march.side < 0.0 ? max(abs(twoU), abs(ahead)) : least;
-    // The parabola g + 2 s x + C x^2, which is positive here, and whether rounding can have turned its discriminant.
     TORUS_PRECISE float g = march.side * f;
     TORUS_PRECISE float s = march.side * h;
-    TORUS_PRECISE float C = march.side * (c + bound * bound);
-    TORUS_PRECISE float ss = s * s;
-    TORUS_PRECISE float discriminant = ss - C * g;
-    TORUS_PRECISE float blur = (known ? 0.5 * abs(s) : abs(C) + abs(s)) * quartic.blur;
-    TORUS_PRECISE float fourBlurs = 4.0 * blur;
-    bool doubtful = abs(discriminant) < blur;
-    // Its first root, in the form that does not cancel.
-    TORUS_PRECISE float root = sqrt(max(discriminant, 0.0));
-    bool nears = s < 0.0;
-    TORUS_PRECISE float x = (nears ? g : root + s) / (nears ? root - s : -C);
-    // A refinement that found nothing is not repeated at the same place. From past a shallow dip's extremum it leads back.
-    TORUS_PRECISE float reached = u + x;
-    TORUS_PRECISE float twiceSs = 2.0 * ss;
-    bool stuck = known && reached == u;
-    bool behind = known && discriminant > twiceSs;
-    bool rises = C >= 0.0 && !behind;
-    bool none = (nears ? discriminant <= -blur : rises) || !(x <= reach) || stuck;
-    bool close = nears && x <= quartic.lastStep;
-    // The slope of f itself may change by a quarter on the way: then f follows the parabola to below zero.
-    TORUS_PRECISE float slopeChange = (abs(c) + twoU * twoU) * x;
-    TORUS_PRECISE float quarterSlope = -0.25 * s;
-    bool crosses = close && !none && !doubtful && slopeChange <= quarterSlope;
-    bool holds = doubtful && !known && (close || ss <= fourBlurs);
-    // Of a parabola that has no root but for its rounding not beyond its extremum.
-    x = discriminant < 0.0 ? 0.75 * x : x;
-    x = none ? reach : (known ? x : max(x, 0.0));
-    TORUS_PRECISE float next = u + x;
-    TORUS_PRECISE float further = none ? 4.0 * reach : max(2.0 * x, TORUS_LEAST_REACH * quartic.lastStep);
-    TORUS_PRECISE float past = next + quartic.lastStep;
-    march.certain = crosses && past <= limit;
-    march.refines = holds || (crosses && next <= limit);
-    march.u = holds ? u : next;
-    march.reach = march.refines ? reach : further;
-    march.known = false;
+    TORUS_PRECISE float C = march.side * (c + bound * bound) - (TORUS_EXACT ? quartic.blurOfA : 0.0);
+    TORUS_PRECISE float twoReach = 2.0 * march.reach;
+    TORUS_PRECISE float bend = abs(c) + (twoU * twoU + twoReach * twoReach);
+    return torus_Parabola(g, s, C, bend);
 }
 
-// Marches until a refinement is due, or to the end of the interval.
-void torus_search(torus_Quartic quartic, float upper, inout torus_March march) {
-    // Nothing is to be found where the inner sheet is. Who comes there from outside is past a crossing, at a dimple's tip.
-    float innerEnd = quartic.innerEnd;
-    bool within = !march.refines && march.u >= -innerEnd && march.u < innerEnd;
-    bool late = within && march.side > 0.0;
-    march.u = within && !late ? innerEnd : march.u;
-    march.refines = march.refines || late;
-    bool before = march.u < -innerEnd && innerEnd > 0.0;
-    float limit = before ? min(-innerEnd, upper) : upper;
-    TORUS_PRECISE float left = limit - march.u;
-    march.reach = min(march.reach, left);
-    march.certain = false;
-    for (int i = 0; i < TORUS_SEARCH_STEPS && !march.refines && march.u < limit; ++i) {
-        TORUS_ON_STEP
-        torus_step(quartic, limit, march);
+// One step towards the next crossing, or a decision that it is time for a refinement. `left` is what is left of the
+// interval.
+void torus_step(const torus_Quartic quartic, float left, inout torus_March march) {
+    float u = march.u;
+    float reach = march.reach;
+    TORUS_PRECISE float lastStep = TORUS_LAST_STEP * quartic.minorRadius + TORUS_STEP_ROUNDING;
+    bool known = TORUS_EXACT && march.known;
+    torus_Parabola p = torus_parabola(quartic, march);
+    TORUS_PRECISE float ss = p.s * p.s;
+    TORUS_PRECISE float discriminant = ss - p.C * p.g;
+    // Whether rounding can have turned its sign.
+    TORUS_PRECISE float blur = TORUS_EXACT ? (known ? 0.5 * abs(p.s) : abs(p.C) + abs(p.s)) * quartic.blur : 0.0;
+    bool doubtful = abs(discriminant) < blur;
+    // The first root, in the form that does not cancel.
+    TORUS_PRECISE float root = sqrt(max(discriminant, 0.0));
+    bool nears = p.s < 0.0;
+    TORUS_PRECISE float x = (nears ? p.g : root + p.s) / (nears ? root - p.s : -p.C);
+    bool rises = p.C >= 0.0;
+    // Who is on the other side already, by rounding, is past a crossing.
+    bool past = !TORUS_EXACT && p.g <= 0.0;
+    if (TORUS_EXACT) {
+        // Of a parabola that has no root but for its rounding not beyond its extremum.
+        x = discriminant < 0.0 ? 0.75 * x : x;
+        // A refinement that found nothing is not repeated at the same place. From past a shallow dip's extremum it leads
+        // back.
+        TORUS_PRECISE float reached = u + x;
+        TORUS_PRECISE float twiceSs = 2.0 * ss;
+        rises = rises && !(known && discriminant > twiceSs);
+        x = known && reached == u ? TORUS_BEYOND : x;
     }
-    // From outside the inner sheet's end is reached but through a crossing.
-    bool atInnerEnd = !(march.u < limit) && limit < upper;
-    march.refines = march.refines || (atInnerEnd && march.side > 0.0);
+    bool none = nears ? discriminant <= -blur && !past : rises;
+    x = none ? TORUS_BEYOND : x;
+    // The slope of f itself may change by a quarter on the way: then f follows the parabola to below zero.
+    TORUS_PRECISE float slopeChange = p.bend * x;
+    TORUS_PRECISE float quarterSlope = -0.25 * p.s;
+    bool close = x <= min(lastStep, reach);
+    bool crosses = close && !doubtful && slopeChange < quarterSlope;
+    TORUS_PRECISE float leastStep = TORUS_LEAST_REACH * lastStep;
+    bool holds = false;
+    if (TORUS_EXACT) {
+        TORUS_PRECISE float fourBlurs = 4.0 * blur;
+        bool tangent = doubtful && ((close && nears) || ss <= fourBlurs);
+        bool noise = nears && p.g < quartic.blur && !crosses;
+        holds = !known && (tangent || noise);
+        x = known ? x : max(x, 0.0);
+    } else {
+        x = crosses ? x : max(x, leastStep);
+    }
+    x = min(x, reach);
+    TORUS_PRECISE float next = u + x;
+    TORUS_PRECISE float further = max(2.0 * x, leastStep);
+    TORUS_PRECISE float after = x + (lastStep + TORUS_END_PADDING);
+    march.certain = crosses && after <= left;
+    march.refines = holds || crosses;
+    march.u = holds ? u : next;
+    march.reach = march.refines ? reach : further;
+}
+
+// Marches on until a refinement is due, by at most so many steps.
+void torus_search(const torus_Quartic quartic, float upper, int steps, inout torus_March march) {
+    TORUS_ON_PASS
+    bool busy = !march.refines;
+    for (int i = 0; i < steps && busy; ++i) {
+        TORUS_ON_STEP
+        // Nothing is to be found where the inner sheet of a spindle is. Who comes there from outside is past a crossing,
+        // at a dimple's tip.
+        float limit = upper;
+        bool late = false;
+        if (quartic.innerEnd > 0.0) {
+            bool within = march.u >= -quartic.innerEnd && march.u < quartic.innerEnd;
+            late = within && march.side > 0.0;
+            march.u = within && !late ? quartic.innerEnd : march.u;
+            limit = march.u < -quartic.innerEnd ? min(-quartic.innerEnd, upper) : upper;
+        }
+        TORUS_PRECISE float left = late ? 0.0 : limit - march.u;
+        march.reach = min(march.reach, left);
+        torus_step(quartic, left, march);
+        march.refines = march.refines || late;
+        march.known = late;
+        busy = !march.refines && march.u < upper;
+    }
     march.searching = march.refines || march.u < upper;
-    march.known = late;
 }
 
 #endif

@@ -58,6 +58,47 @@ struct torus_Line {
 // end is decided by its exact place.
 #define TORUS_END_PADDING 1.0e-5
 
+// The largest coordinate.
+float torus_longest(vec3 v) {
+    return max(max(abs(v.x), abs(v.y)), abs(v.z));
+}
+
+#ifdef TORUS_FAST
+// Moves the origin towards the foot, for near and far origins alike: by a parameter of 12 bits, whose products with the
+// direction's halves are exact. Returns the parameter.
+float torus_moveToFoot(inout vec3 base, out vec3 baseLow, vec3 direction, float invLength2) {
+    TORUS_PRECISE float move =
+        -(base.x * direction.x + base.y * direction.y + base.z * direction.z) * invLength2;
+    float gone = torus_upperHalf(move);
+    vec3 high = vec3(torus_upperHalf(direction.x), torus_upperHalf(direction.y), torus_upperHalf(direction.z));
+    TORUS_ROUNDED vec3 moved = (base + gone * high) + gone * (direction - high);
+    base = moved;
+    baseLow = vec3(0.0, 0.0, 0.0);
+    return gone;
+}
+#else
+// Moves a far origin to the foot. Any parameter near the foot's will do, as the point that belongs to it is exact. Returns
+// the parameter.
+float torus_moveToFoot(inout vec3 base, out vec3 baseLow, vec3 direction, float invLength2) {
+    TORUS_PRECISE float shift = 0.0;
+    baseLow = vec3(0.0, 0.0, 0.0);
+    bool isFar = torus_longest(base) > TORUS_FAR;
+    for (int i = 0; i < TORUS_FAR_MOVES && isFar; ++i) {
+        TORUS_PRECISE float move =
+            -(base.x * direction.x + base.y * direction.y + base.z * direction.z) * invLength2;
+        // What the sum of the moves loses is not gone, either.
+        TORUS_PRECISE float moved = shift + move;
+        TORUS_PRECISE float gone = moved - shift;
+        vec3 low;
+        base = torus_advance3(base, baseLow, gone, 0.0, direction, low);
+        baseLow = low;
+        shift = moved;
+        isFar = torus_longest(base) > TORUS_FAR;
+    }
+    return shift;
+}
+#endif
+
 // Reduces a ray. `tMin` and `tMax` only have to be valid.
 torus_Line torus_reduce(float majorRadius, float minorRadius, vec3 origin, float tMin, vec3 direction, float tMax) {
     // Bit patterns of positive floats are in the order of the floats, with infinity and NaN behind all. What is made of an
@@ -84,21 +125,9 @@ torus_Line torus_reduce(float majorRadius, float minorRadius, vec3 origin, float
     TORUS_PRECISE float dd = d.x * d.x + d.y * d.y + d.z * d.z;
     TORUS_PRECISE float invDd = 1.0 / dd;
 
-    // Move a far origin to the foot. Any parameter near the foot's will do, as the point that belongs to it is exact.
-    vec3 baseLow = vec3(0.0, 0.0, 0.0);
-    TORUS_PRECISE float baseShift = 0.0;
-    float farthest = max(max(abs(base.x), abs(base.y)), abs(base.z));
-    for (int i = 0; i < TORUS_FAR_MOVES && farthest > TORUS_FAR; ++i) {
-        TORUS_PRECISE float move = -(base.x * d.x + base.y * d.y + base.z * d.z) * invDd;
-        // What the sum of the moves loses is not gone, either.
-        TORUS_PRECISE float moved = baseShift + move;
-        TORUS_PRECISE float gone = moved - baseShift;
-        vec3 low;
-        base = torus_advance3(base, baseLow, gone, 0.0, d, low);
-        baseLow = low;
-        baseShift = moved;
-        farthest = max(max(abs(base.x), abs(base.y)), abs(base.z));
-    }
+    vec3 baseLow;
+    float baseShift = torus_moveToFoot(base, baseLow, d, invDd);
+    float farthest = torus_longest(base);
 
     // The foot, and the bounding sphere.
     TORUS_PRECISE float shift = -(base.x * d.x + base.y * d.y + base.z * d.z) * invDd;

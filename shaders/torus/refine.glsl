@@ -11,7 +11,7 @@
 #ifndef TORUS_REFINE_GLSL
 #define TORUS_REFINE_GLSL
 
-#include "march.glsl"
+#include "crossing.glsl"
 
 // The parabola is good for steps up to this part of the half slope over r, in which the slope's rounding moves the root by
 // less than a sixteenth of the rounding of a position: the slope is known to some 2^-22 r.
@@ -28,10 +28,6 @@
 #define TORUS_TINY_STEP 9.313225746e-10
 #define TORUS_SMALL_STEP 1.0e-6
 #define TORUS_TINY_VALUE 5.9604644775e-14
-// Nearer to the axis than this, in units, rho has no direction.
-#define TORUS_AXIS 1.0e-12
-// How far the march goes on from a crossing: beyond the rounding of u, so that it is not found again.
-#define TORUS_CLEARANCE 1.9073486328e-6
 
 // A point of the line, as the sum of two floats, and the tube function there.
 struct torus_Point {
@@ -49,7 +45,7 @@ struct torus_Point {
     float sixthThird;  // G''' / 6: all of it is the bend of rho, which is sharp near the axis
 };
 
-torus_Point torus_pointAt(torus_Line line, float u) {
+torus_Point torus_pointAt(const torus_Line line, float u) {
     TORUS_PRECISE vec3 d = line.direction;
     TORUS_PRECISE float R = line.majorRadius;
     TORUS_PRECISE float r = line.minorRadius;
@@ -79,19 +75,9 @@ torus_Point torus_pointAt(torus_Line line, float u) {
     return torus_Point(p, low, shift, shiftLow, rho, q, tube, along, rise, halfSlope, bend, sixthThird);
 }
 
-struct torus_Crossing {
-    bool found;
-    vec3 position;  // in units
-    float shift;    // from the line's base, in lengths of the direction ...
-    float rest;     // ... and what is left of that
-};
-
-torus_Crossing torus_noCrossing() {
-    return torus_Crossing(false, vec3(0.0, 0.0, 0.0), 0.0, 0.0);
-}
-
 // Refines where the march is. It goes on from there, on the other side of a crossing.
-torus_Crossing torus_refine(torus_Line line, inout torus_March march) {
+torus_Crossing torus_refine(const torus_Line line, inout torus_March march) {
+    TORUS_ON_REFINEMENT
     float r = line.minorRadius;
     torus_Point point = torus_pointAt(line, march.u);
     march.side = march.side == 0.0 ? (point.tube < 0.0 ? -1.0 : 1.0) : march.side;
@@ -120,19 +106,21 @@ torus_Crossing torus_refine(torus_Line line, inout torus_March march) {
     bool tiny = size <= TORUS_TINY_STEP || (size <= TORUS_SMALL_STEP && value <= tinyValue);
     bool beside = toAxis <= nearAxis;
     bool good = tiny || march.known || (order <= smallOrder && relativeSize <= longStep && beside);
-    // A parabola that opens upwards and has been crossed has its falling root behind. One that opens downwards and has none
-    // touches: what has entered there leaves there.
+    TORUS_PRECISE float crossing = march.u + x;
+    // From past a dip's extremum the parabola's falling root is behind: of a dip that the march has passed by rounding, or
+    // of one that it has found. A parabola that opens downwards and has no root touches: what has entered there leaves there.
+    bool ahead = nears || C < 0.0 || g < 0.0 || (C > 0.0 && crossing >= march.from);
     bool touches = C < 0.0 && g < 0.0;
-    bool exists = (discriminant >= 0.0 && (nears || C < 0.0 || g < 0.0)) || touches;
+    bool exists = (discriminant >= 0.0 && ahead) || touches;
     bool found = exists && good;
     // A longer step may still lead nearer, and to another refinement.
     TORUS_PRECISE float largeOrder = TORUS_LARGE_ORDER * value;
     TORUS_PRECISE float lastStep = TORUS_LAST_STEP * r;
     bool repeats = exists && !good && beside && order <= largeOrder && size <= lastStep;
     TORUS_PRECISE vec3 position = point.high + (point.low + x * line.direction);
-    TORUS_PRECISE float crossing = march.u + x;
     TORUS_PRECISE float beyond = crossing + TORUS_CLEARANCE;
     march.u = found ? beyond : (repeats ? crossing : march.u);
+    march.from = found ? beyond : march.from;
     march.side = found ? -march.side : march.side;
     march.reach = found ? torus_firstReach(line, march.side) : march.reach;
     march.refines = repeats;
@@ -149,6 +137,38 @@ torus_Crossing torus_refine(torus_Line line, inout torus_March march) {
         march.h = h;
     }
     return torus_Crossing(found, position, point.shift, rest);
+}
+
+// The next crossing.
+torus_Crossing torus_nextCrossing(const torus_Line line, const torus_Quartic quartic, inout torus_March march) {
+    torus_Crossing crossing = torus_noCrossing();
+    bool busy = true;
+    for (int i = 0; i < TORUS_PASSES && busy; ++i) {
+        torus_search(quartic, line.upper, TORUS_PASS_STEPS, march);
+        if (march.refines) {
+            crossing = torus_refine(line, march);
+        }
+        busy = march.searching && !crossing.found;
+    }
+    return crossing;
+}
+
+// Whether there is a crossing before the ray's end. Of one that is certain the place is not needed.
+bool torus_crosses(const torus_Line line, const torus_Quartic quartic, inout torus_March march) {
+    bool crosses = false;
+    bool busy = true;
+    for (int i = 0; i < TORUS_PASSES && busy; ++i) {
+        torus_search(quartic, line.upper, TORUS_PASS_STEPS, march);
+        bool found = march.certain;
+        crosses = march.certain;
+        if (march.refines && !march.certain) {
+            torus_Crossing crossing = torus_refine(line, march);
+            found = crossing.found;
+            crosses = crossing.found && torus_isWithin(line, crossing);
+        }
+        busy = march.searching && !found;
+    }
+    return crosses;
 }
 
 #endif

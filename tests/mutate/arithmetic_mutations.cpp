@@ -49,9 +49,9 @@ constexpr Mutation rows[] = {
 
     {"nothing-is-far", ray, "#define TORUS_FAR 8.0", "#define TORUS_FAR 1.0e30",
      "the foot of a far ray as it is rounded"},
-    {"far-move-forgotten", ray, "moved = baseShift + move", "moved = move",
+    {"far-move-forgotten", ray, "moved = shift + move", "moved = move",
      "t counted from where the first move has led", Shows::InNumbers},
-    {"far-move-rounded", ray, "gone = moved - baseShift", "gone = move",
+    {"far-move-rounded", ray, "gone = moved - shift", "gone = move",
      "position and t of a far ray are of different points", Shows::InNumbers},
     {"far-low-forgotten", ray, "baseLow = low;", "", "what the move of a far origin took in rounding is lost",
      Shows::InNumbers},

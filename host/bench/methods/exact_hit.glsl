@@ -18,7 +18,7 @@ bool exactHitInside(torus_Line line, float u) {
 
 // The crossing near u, which leads out of the solid if `leaves`.
 torus_Crossing exactHitAt(torus_Line line, float u, bool leaves) {
-    torus_March march = torus_March(u, leaves ? -1.0 : 1.0, 0.0, true, true, false, false, 0.0, 0.0);
+    torus_March march = torus_March(u, u, leaves ? -1.0 : 1.0, 0.0, true, true, false, false, 0.0, 0.0);
     torus_Crossing crossing = torus_noCrossing();
     for (int i = 0; i < EXACT_HIT_STEPS && march.refines; ++i) {
         TORUS_ON_STEP

@@ -9,7 +9,7 @@
 
 // One refinement, without the question whether it found anything.
 TorusHit exactEndsHit(torus_Line line, float u, bool leaves, float tMin, float tMax) {
-    torus_March march = torus_March(u, leaves ? -1.0 : 1.0, 0.0, true, true, false, false, 0.0, 0.0);
+    torus_March march = torus_March(u, u, leaves ? -1.0 : 1.0, 0.0, true, true, false, false, 0.0, 0.0);
     return torus_hitAt(line, torus_refine(line, march), tMin, tMax);
 }
 
