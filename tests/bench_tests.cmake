@@ -11,6 +11,7 @@ raytorus_add_tests(bench_tests
     SOURCES
         bench_against_test.cpp
         bench_correctness_test.cpp
+        bench_groups_test.cpp
         bench_isa_test.cpp
         bench_measure_test.cpp
         bench_output_test.cpp

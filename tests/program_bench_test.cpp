@@ -174,7 +174,7 @@ TEST_F(ProgramBench, ExplainsWrongArguments) {
     }
     expectError({"--method", "magic"}, ExitCode::Usage,
                 "--method: there is no method \"magic\" (there are" + names + ")");
-    expectError({"--family", "navi31"}, ExitCode::Usage, "--family is for --isa");
+    expectError({"--family", "navi31"}, ExitCode::Usage, "--family is for --isa and --groups");
     expectError({"--shaders", "."}, ExitCode::Usage,
                 "--shaders: the benchmark has shaders of its own, built in");
     for (const Arguments& arguments : {Arguments{"--rays", "5000"}, Arguments{"--rounds", "0"},
@@ -214,6 +214,29 @@ TEST_F(ProgramBench, CountsMachineCode) {
             << query << ": navi21 has float64 and a fused fma, so no method is left out";
         EXPECT_GT(methods.at("ray-sphere"), methods.at("empty")) << query;
         EXPECT_GT(methods.at("raytorus"), methods.at("ray-sphere")) << query;
+    }
+}
+
+// On the device of the tests; the instructions are radv's all the same.
+TEST_F(ProgramBench, CountsWhatGroupsPay) {
+    const std::string out = expectOk({"--groups", "--rays", "4096", "--json", "groups.json"});
+    EXPECT_NE(out.find("instructions by radv: ends "), std::string::npos) << out;
+    const json groups = table("groups.json");
+    const json parts = groups.at("parts");
+    for (const char* part : {"ends", "step", "refinement", "closedFormCommon"}) {
+        EXPECT_GT(parts.at(part), 50) << part;
+    }
+    EXPECT_EQ(groups.at("rows").size(), 4U * 7U);
+    for (const json& row : groups.at("rows")) {
+        EXPECT_EQ(row.at("count"), 4096);
+        const json& slowest = row.at("slowest");
+        EXPECT_LE(slowest.at("8"), slowest.at("32"));
+        EXPECT_LE(slowest.at("32"), slowest.at("64"));
+        EXPECT_GT(row.at("instructions").at("64"), parts.at("ends"));
+        if (row.at("rays") == "inside") {
+            EXPECT_EQ(row.at("hitPart"), 1) << row;
+            EXPECT_GE(row.at("steps"), 1) << row;
+        }
     }
 }
 

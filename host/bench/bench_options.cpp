@@ -26,6 +26,7 @@ Examples:
   raytorus-bench --json now.json --html now.html --seed 7
   raytorus-bench --quick --against docs/performance/lavapipe-25.0.7.json
   raytorus-bench --isa
+  raytorus-bench --groups --json groups.json
   LP_NUM_THREADS=1 raytorus-bench --device llvmpipe
 
 Exit codes: 0 it ran, whatever the times and whoever is wrong; 2 the library was wrong on a ray, or runs of it differ; others
@@ -68,7 +69,10 @@ void addOptions(CLI::App& app, BenchOptions& options, Texts& texts, CLI::Option*
     app.add_flag(
         "--isa", options.isa,
         "Count the machine code of every method for an AMD GPU, which need not be there, by Mesa's radv");
-    app.add_option("--family", options.family, "The GPU that --isa compiles for, as radv calls it")
+    app.add_flag("--groups", options.groups,
+                 "Count the steps of the slowest of 8, 32 and 64 rays, and what a group of lanes issues");
+    app.add_option("--family", options.family,
+                   "The GPU that --isa and --groups compile for, as radv calls it")
         ->option_text("NAME [navi21]");
     cli::addDeviceOptions(app, options.device);
 }
@@ -125,8 +129,8 @@ std::optional<BenchOptions> parseOptions(const std::vector<std::string>& argumen
     }
     if (options.family.empty()) {
         options.family = "navi21";
-    } else if (!options.isa) {
-        throw Error(ExitCode::Usage, "--family is for --isa");
+    } else if (!options.isa && !options.groups) {
+        throw Error(ExitCode::Usage, "--family is for --isa and --groups");
     }
     options.workloads = parseWorkloads(texts);
     options.methods = chooseMethods(texts.methods);

@@ -20,6 +20,7 @@ struct BenchOptions {
     MeasureOptions measure;
     bool list = false;
     bool isa = false;
+    bool groups = false;
     std::string family;  ///< of the AMD GPU that --isa compiles for, as radv calls it
     std::string json;    ///< files; empty: none
     std::string html;

@@ -52,31 +52,39 @@ std::uint64_t valueOf(const VkPipelineExecutableStatisticKHR& statistic) {
     }
 }
 
-IsaRow countOne(gpu::Context& context, const TimedMethod& method, render::Query query) {
+using Statistics = std::vector<std::pair<std::string, std::uint64_t>>;
+
+Statistics count(gpu::Context& context, std::span<const std::uint32_t> words, const std::string& name,
+                 std::uint32_t constant) {
     gpu::PipelineLayoutInfo info;
     info.bindings = {{TRACE_BINDING_RAYS, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
                      {TRACE_BINDING_HITS, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}};
     info.pushConstantBytes = 2 * sizeof(float);
-    info.specialization = {queryConstant(query)};
+    info.specialization = {constant};
     info.flags = VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR;
-    const gpu::ShaderModule shader(context, method.shaders.load("one_ray.comp"),
-                                   "one_ray.comp of " + method.name);
+    const gpu::ShaderModule shader(context, words, name);
     const gpu::Pipeline pipeline = gpu::makeComputePipeline(context, shader, info);
     VkPipelineExecutableInfoKHR executable{VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_INFO_KHR};
     executable.pipeline = pipeline.get();
     const auto list = functionOf<PFN_vkGetPipelineExecutableStatisticsKHR>(
         context.device(), "vkGetPipelineExecutableStatisticsKHR");
-    std::uint32_t count = 0;
-    gpu::check(list(context.device(), &executable, &count, nullptr), "vkGetPipelineExecutableStatisticsKHR");
-    std::vector<VkPipelineExecutableStatisticKHR> statistics(
-        count, {VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_STATISTIC_KHR});
-    gpu::check(list(context.device(), &executable, &count, statistics.data()),
+    std::uint32_t number = 0;
+    gpu::check(list(context.device(), &executable, &number, nullptr), "vkGetPipelineExecutableStatisticsKHR");
+    std::vector<VkPipelineExecutableStatisticKHR> told(number,
+                                                       {VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_STATISTIC_KHR});
+    gpu::check(list(context.device(), &executable, &number, told.data()),
                "vkGetPipelineExecutableStatisticsKHR");
-    IsaRow row{method.name, query, {}};
-    for (const VkPipelineExecutableStatisticKHR& statistic : statistics) {
-        row.statistics.emplace_back(statistic.name, valueOf(statistic));
+    Statistics statistics;
+    for (const VkPipelineExecutableStatisticKHR& statistic : told) {
+        statistics.emplace_back(statistic.name, valueOf(statistic));
     }
-    return row;
+    return statistics;
+}
+
+IsaRow countOne(gpu::Context& context, const TimedMethod& method, render::Query query) {
+    return {method.name, query,
+            count(context, method.shaders.load("one_ray.comp"), "one_ray.comp of " + method.name,
+                  queryConstant(query))};
 }
 
 std::string cellOf(const IsaRow& row, std::string_view statistic) {
@@ -169,6 +177,12 @@ std::vector<IsaRow> countInstructions(gpu::Context& context, std::span<const Tim
         }
     }
     return rows;
+}
+
+std::uint64_t countInstructions(gpu::Context& context, std::span<const std::uint32_t> words,
+                                const std::string& name, std::uint32_t constant) {
+    const IsaRow row{name, render::Query::Nearest, count(context, words, name, constant)};
+    return row.of("Instructions").value_or(0);
 }
 
 std::string isaText(std::span<const IsaRow> rows) {

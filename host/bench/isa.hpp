@@ -33,6 +33,10 @@ void chooseNullDevice(const std::string& family);
 std::vector<IsaRow> countInstructions(gpu::Context& context, std::span<const TimedMethod> methods,
                                       std::span<const render::Query> queries);
 
+/// The instructions of a shader with the bindings of one_ray.comp and one specialization constant.
+std::uint64_t countInstructions(gpu::Context& context, std::span<const std::uint32_t> words,
+                                const std::string& name, std::uint32_t constant);
+
 std::string isaText(std::span<const IsaRow> rows);
 
 /// {"format": "raytorus-bench-isa", "version": 1, "device": ..., "driver": ..., "rows": [{"method": ...,

@@ -8,6 +8,7 @@
 
 #include "bench/against.hpp"
 #include "bench/bench_options.hpp"
+#include "bench/groups.hpp"
 #include "bench/html.hpp"
 #include "bench/isa.hpp"
 #include "bench/json.hpp"
@@ -55,6 +56,22 @@ ExitCode countCode(const BenchOptions& options) {
         const std::vector<IsaRow> rows = countInstructions(context, options.methods, options.queries);
         fmt::print("{}", isaText(rows));
         writeTo(json, isaJson(context.info(), rows));
+    });
+    return ExitCode::Ok;
+}
+
+ExitCode countGroups(const BenchOptions& options) {
+    const std::unique_ptr<OutputFile> json = openOutput(options.json);
+    const std::optional<PartCosts> costs = countParts(options.family);
+    cli::withDevice(options.device, [&](gpu::Context& context) {
+        fmt::print("{} ({} {}), nearest hits, seed {}\n\n", context.info().name, context.info().driverName,
+                   context.info().driverInfo, options.measure.seed);
+        cli::Progress progress("counting");
+        const std::vector<GroupRow> rows =
+            measureGroups(context, {options.measure.seed, options.measure.side}, costs,
+                          [&](double part) { progress.show(part); });
+        fmt::print("{}", groupsText(rows, costs));
+        writeTo(json, groupsJson(context.info(), options.measure.seed, rows, costs));
     });
     return ExitCode::Ok;
 }
@@ -125,6 +142,9 @@ ExitCode measure(const BenchOptions& options) {
 ExitCode run(const BenchOptions& options) {
     if (options.list) {
         return list(options);
+    }
+    if (options.groups) {
+        return countGroups(options);
     }
     return options.isa ? countCode(options) : measure(options);
 }

@@ -14,6 +14,7 @@
 #include "raytorus_bench_closed_form_polished.hpp"
 #include "raytorus_bench_empty.hpp"
 #include "raytorus_bench_exact_ends.hpp"
+#include "raytorus_bench_fast.hpp"
 #include "raytorus_bench_float64_quartic.hpp"
 #include "raytorus_bench_fused.hpp"
 #include "raytorus_bench_ray_sphere.hpp"
@@ -33,6 +34,7 @@ std::vector<TimedMethod> makeTable() {
         {ourName, "the library", ShaderSource(bench_raytorus::find)},
         {"raytorus-fused", "the library with TORUS_FUSED_FMA, where fma() rounds once",
          ShaderSource(bench_fused::find), Needs::FusedFma},
+        {"raytorus-fast", "the library with TORUS_FAST, in plain float32", ShaderSource(bench_fast::find)},
         {"closed-form-common", "what everybody pastes: world space, trigonometric resolvent, tuned",
          ShaderSource(bench_closed_form_common::find)},
         {"closed-form-naive", "the same mathematics as it is usually written",

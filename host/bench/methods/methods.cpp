@@ -11,6 +11,7 @@
 #include "raytorus_method_closed_form_common.hpp"
 #include "raytorus_method_closed_form_naive.hpp"
 #include "raytorus_method_closed_form_polished.hpp"
+#include "raytorus_method_fast.hpp"
 #include "raytorus_method_sphere_tracing.hpp"
 #include "raytorus_method_sphere_tracing_exact.hpp"
 
@@ -20,6 +21,8 @@ namespace {
 
 // What the library's last step leaves, with room for the rounding of t.
 constexpr double exact = 4e-7;
+// What the fast tier promises of a position, the same.
+constexpr double fastTier = 1.1e-5;
 
 }  // namespace
 
@@ -27,7 +30,9 @@ std::span<const Method> methods() {
     static const std::array table{
         Method{"raytorus",
                "the library: a march by certified steps on the reduced quartic, then an exact step",
-               render::ShaderSource(), exact},
+               render::ShaderSource(), exact, reference::Tier::Exact},
+        Method{"raytorus-fast", "the library with TORUS_FAST: the same march in plain float32",
+               render::ShaderSource(fast::find), fastTier, reference::Tier::Fast},
         Method{"bracketed-newton", "bracketed Newton between the critical points of the reduced quartic",
                render::ShaderSource(bracketed_newton::find), exact},
         Method{"closed-form-polished",

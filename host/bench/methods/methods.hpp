@@ -6,10 +6,12 @@
 //     render::Tracer tracer(context, query, capacity, method.shaders);
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "reference/promise.hpp"
 #include "render/shader_source.hpp"
 
 namespace raytorus {
@@ -21,6 +23,8 @@ struct Method {
     /// How far t and position may be off on ordinary rays from a few R away, in R + r, and as much in lengths
     /// of the direction. Farther away, nearer to a tangent and in thin tubes some methods have no bound.
     double tolerance;
+    /// What it promises, if it does: docs/accuracy.md.
+    std::optional<reference::Tier> tier = std::nullopt;
 };
 
 /// The library's own method, "raytorus", is the first.
