@@ -145,10 +145,9 @@ TEST(Truth, IsTheArbitersOnClearRays) {
             if (!isClear(exact, cell.tangentMargin(), 0.0)) {
                 continue;
             }
-            const Truth fast = cell.isGrazing() ? preciseTruth(shape, drawn) : quickTruth(shape, drawn);
-            // Within a margin of 1e-6 r the roots themselves are worth fewer digits.
-            const double bound =
-                (cell.isGrazing() ? 1e-15 : 1e-10) * (1.0 + static_cast<double>(cell.minorRadius));
+            const bool precise = cell.needsPreciseTruth();
+            const Truth fast = precise ? preciseTruth(shape, drawn) : quickTruth(shape, drawn);
+            const double bound = (precise ? 1e-15 : 1e-10) * (1.0 + static_cast<double>(cell.minorRadius));
             ASSERT_EQ(fast.count, exact.count) << reference::hexFloats(shape, drawn);
             EXPECT_NEAR(fast.clearance, exact.clearance, 1e-9 + 1e-9 * exact.clearance);
             for (std::size_t k = 0; k < static_cast<std::size_t>(exact.count); ++k) {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "program_test.hpp"
+#include "touching_rays.hpp"
 
 namespace raytorus::test {
 namespace {
@@ -110,6 +111,16 @@ TEST_F(ProgramExplain, TheFigureOfTheDerivationIsCurrent) {
     EXPECT_TRUE(fileText(folder / "math-ray.svg") ==
                 fileText(RAYTORUS_SOURCE_DIR "/docs/images/math-ray.svg"))
         << "make it again";
+}
+
+TEST_F(ProgramExplain, TouchingRaysAreRightWithBothHitsOrNeither) {
+    for (const char* ray : touchingRays) {
+        const std::string told = expectOk({"explain", "--replay", ray, "--json"});
+        EXPECT_TRUE(json::parse(told)["right"]) << told;
+        const std::string text = expectOk({"explain", "--replay", ray});
+        EXPECT_EQ(text.find("the library invents"), std::string::npos) << text;
+        EXPECT_EQ(text.find("the library misses"), std::string::npos) << text;
+    }
 }
 
 TEST_F(ProgramExplain, BadNumbersAreExplained) {

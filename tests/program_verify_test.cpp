@@ -10,6 +10,7 @@
 #include "patterns.hpp"
 #include "run_program.hpp"
 #include "scratch_folder.hpp"
+#include "touching_rays.hpp"
 
 namespace raytorus::test {
 namespace {
@@ -140,7 +141,8 @@ TEST_F(ProgramVerify, ExplainsWrongArguments) {
     expectUsageError(
         {"--class", "cameras"},
         "--class: there is no class \"cameras\" (there are camera inside hole equatorial axisParallel "
-        "throughAxis throughCentre leaving axisAligned nonUnit grazing segment)");
+        "throughAxis throughCentre leaving axisAligned nonUnit grazing segment topCircle dimpleCone "
+        "hornTip)");
     expectUsageError({"--rows", "rows"}, "--rows is class, radius, distance or cell, not \"rows\"");
     expectUsageError({"--seed", "-1"}, "--seed is a whole number below 2^64, or today, not \"-1\"");
     expectUsageError({"--radius", "0"}, "--radius is r/R from 1e-7 to 1e4, not 0");
@@ -199,15 +201,24 @@ TEST_F(ProgramVerify, HelpsWithExamplesThatWork) {
     }
 }
 
+TEST_F(ProgramVerify, ReplaysTouchingRaysWithBothHitsOrNeither) {
+    for (const char* ray : touchingRays) {
+        const ProgramResult result = run({"--replay", ray});
+        EXPECT_EQ(result.exitCode, 0) << testing::PrintToString(result);
+        EXPECT_TRUE(result.out.ends_with("verdict: right\n")) << result.out;
+    }
+}
+
 TEST_F(ProgramVerify, OtherMethodsHavePromisedNothing) {
     const ProgramResult result =
         run({"--method", "closed-form-naive", "--class", "camera", "--distance", "1000", "--rays", "100"});
     EXPECT_EQ(result.exitCode, 0) << testing::PrintToString(result);
     EXPECT_EQ(result.out.find("replay"), std::string::npos);
-    expectUsageError({"--method", "magic"},
-                     "--method: there is no method \"magic\" (there are raytorus bracketed-newton "
-                     "closed-form-polished closed-form closed-form-naive closed-form-common "
-                     "sphere-tracing sphere-tracing-exact)");
+    expectUsageError(
+        {"--method", "magic"},
+        "--method: there is no method \"magic\" (there are raytorus raytorus-fast bracketed-newton "
+        "closed-form-polished closed-form closed-form-naive closed-form-common "
+        "sphere-tracing sphere-tracing-exact)");
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ TEST(Rays, AreTheSameOnEveryPlatform) {
                 hash = (hash ^ byte) * 1099511628211u;
         }
     }
-    EXPECT_EQ(hash, 10990362648105373904u);
+    EXPECT_EQ(hash, 16799530447702160847u);
 }
 
 TEST(Rays, AreValidAndFinite) {

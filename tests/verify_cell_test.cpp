@@ -19,11 +19,13 @@ std::size_t countOf(const std::vector<Cell>& cells, RayClass rayClass) {
 
 TEST(Cells, AreEveryCombination) {
     const std::vector<Cell> cells = chooseCells({});
-    EXPECT_EQ(countOf(cells, RayClass::camera), 9U * 7U);
-    EXPECT_EQ(countOf(cells, RayClass::inside), 9U) << "starts at the torus, at no distance";
-    EXPECT_EQ(countOf(cells, RayClass::grazing), 9U * 4U * 2U) << "two margins, up to 100 R";
+    EXPECT_EQ(countOf(cells, RayClass::camera), 13U * 7U);
+    EXPECT_EQ(countOf(cells, RayClass::inside), 13U) << "starts at the torus, at no distance";
+    EXPECT_EQ(countOf(cells, RayClass::grazing), 13U * 4U * 2U) << "two margins, up to 100 R";
+    EXPECT_EQ(countOf(cells, RayClass::hornTip), 4U * 2U) << "of the horn alone";
+    EXPECT_EQ(countOf(cells, RayClass::dimpleCone), 4U * 2U) << "of the spindle alone";
     for (const RayClass rayClass : reference::allRayClasses) {
-        EXPECT_GE(countOf(cells, rayClass), 9U) << reference::nameOf(rayClass);
+        EXPECT_GE(countOf(cells, rayClass), 8U) << reference::nameOf(rayClass);
     }
 }
 
@@ -100,11 +102,39 @@ TEST(Bars, BreakByOneT) {
 }
 
 TEST(Bars, LetAPartOfGrazingRaysBeWrong) {
-    const Cell close{RayClass::grazing, 0.25F, 3.0, 1e-6, 1e-5};
-    EXPECT_TRUE(brokenBars(close, statisticsWith(1.0, 1e6, 2)).empty()) << "0.2 %, and positions are free";
-    EXPECT_EQ(brokenBars(close, statisticsWith(6e-8, 0.5, 3)).size(), 1U);
+    const Cell thin{RayClass::grazing, 1e-6F, 3.0, 1e-6, 1e-5};
+    EXPECT_TRUE(brokenBars(thin, statisticsWith(1.0, 1e6, 5)).empty()) << "0.5 %, and positions are free";
+    EXPECT_EQ(brokenBars(thin, statisticsWith(6e-8, 0.5, 6)).size(), 1U);
+    const Cell rare{RayClass::grazing, 0.001F, 3.0, 1e-6, 1e-5};
+    EXPECT_TRUE(brokenBars(rare, statisticsWith(6e-8, 0.5, 2)).empty()) << "two of however few";
+    EXPECT_EQ(brokenBars(rare, statisticsWith(6e-8, 0.5, 3)).size(), 1U);
     const Cell wide{RayClass::grazing, 0.25F, 3.0, 1e-5, 1e-4};
     EXPECT_EQ(brokenBars(wide, statisticsWith(6e-8, 0.5, 1)).size(), 1U) << "none";
+}
+
+TEST(Bars, LetTheTOfAHairThinTubeBeAsFarOffAsItsRounding) {
+    const Cell thin{RayClass::inside, 1e-6F, 0.0};
+    EXPECT_TRUE(brokenBars(thin, statisticsWith(6e-8, 20, 0)).empty());
+    EXPECT_EQ(brokenBars(thin, statisticsWith(6e-8, 100, 0)).size(), 1U);
+    EXPECT_EQ(brokenBars(thin, statisticsWith(6e-8, 0.5, 1)).size(), 1U);
+    const Cell thinner{RayClass::camera, 1e-7F, 3.0};
+    EXPECT_TRUE(brokenBars(thinner, statisticsWith(6e-8, 0.5, 3)).empty());
+    EXPECT_EQ(brokenBars(thinner, statisticsWith(6e-8, 0.5, 4)).size(), 1U);
+}
+
+TEST(Bars, OfTheFastTierAreItsOwn) {
+    constexpr auto fast = reference::Tier::Fast;
+    EXPECT_TRUE(brokenBars(Cell{}, statisticsWith(5e-3, 1e4, 0), fast).empty());
+    EXPECT_EQ(brokenBars(Cell{}, statisticsWith(2e-2, 1e4, 0), fast).size(), 2U)
+        << "the position and the surface";
+    EXPECT_TRUE(brokenBars(Cell{}, statisticsWith(6e-8, 0.5, 2), fast).empty());
+    EXPECT_EQ(brokenBars(Cell{}, statisticsWith(6e-8, 0.5, 3), fast).size(), 1U);
+    const Cell horn{RayClass::throughAxis, 1.0F, 3.0};
+    EXPECT_TRUE(brokenBars(horn, statisticsWith(6e-8, 0.5, 5), fast).empty()) << "its tip is flat";
+    EXPECT_EQ(brokenBars(horn, statisticsWith(6e-8, 0.5, 6), fast).size(), 1U);
+    const Cell grazing{RayClass::grazing, 0.25F, 3.0, 1e-6, 1e-5};
+    EXPECT_TRUE(brokenBars(grazing, statisticsWith(1.0, 1e6, 900), fast).empty())
+        << "it promises nothing there";
 }
 
 TEST(Statistics, AddUp) {

@@ -21,4 +21,5 @@ target_compile_definitions(verify_tests PRIVATE
 
 # Rays of the day through every cell; CTest shows the table with -V, and when a bar is broken.
 add_test(NAME verify.rays_of_today COMMAND raytorus-verify --rays 1000 --validate)
-set_tests_properties(verify.rays_of_today PROPERTIES TIMEOUT 300)
+add_test(NAME verify.fast_rays_of_today COMMAND raytorus-verify --method raytorus-fast --rays 1000 --validate)
+set_tests_properties(verify.rays_of_today verify.fast_rays_of_today PROPERTIES TIMEOUT 300)

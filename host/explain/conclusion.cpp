@@ -17,6 +17,12 @@ bool isGross(const Explanation& e) {
     return !(e.library.position * size <= reference::grossError(e.torus));
 }
 
+// Does the line touch the surface, and do the answers differ by such pairs alone? The contract has both hits
+// there or none.
+bool isTouch(const Explanation& e) {
+    return e.clearance < reference::touchMargin && e.agree && (e.library.expected - e.library.found) % 2 == 0;
+}
+
 // Is what differs no more than the hits at the ends of the ray that the contract leaves open?
 bool isLeftOpen(const Explanation& e) {
     const double margin = reference::clearEndMargin(e.torus);
@@ -44,6 +50,9 @@ std::string errors(const Verdict& verdict) {
 }
 
 std::string ofLibrary(const Explanation& e) {
+    if (!e.library.rightCount() && isTouch(e) && isRight(e)) {
+        return "the library keeps its contract: where a ray touches the surface, it has both hits or neither";
+    }
     if ((!e.library.rightCount() || !e.agree) && isRight(e)) {
         return "the library keeps its contract: at an end of the ray, where a hit may go either way, answers "
                "differ";
@@ -79,7 +88,8 @@ std::string ofClosedForm(const Explanation& e) {
 }  // namespace
 
 bool isRight(const Explanation& e) {
-    const bool counts = (e.library.rightCount() && e.agree) || (e.faults.empty() && isLeftOpen(e));
+    const bool counts =
+        (e.library.rightCount() && e.agree) || (e.faults.empty() && (isLeftOpen(e) || isTouch(e)));
     return counts && (e.hits.empty() || !isGross(e));
 }
 

@@ -8,6 +8,9 @@
 
 namespace raytorus::reference {
 
+/// Which of the library's promises: that of plain float32 is `TORUS_FAST`.
+enum class Tier { Exact, Fast };
+
 /// A verdict is clear if no extremum of the distance to the tube along the line is nearer to the surface
 /// than this part of r ...
 inline constexpr double clearMargin = 1e-3;
@@ -18,6 +21,10 @@ inline double clearEndMargin(const Torus& torus) {
     const double r{torus.minorRadius};
     return std::max(2e-5, 2e-7 * (double{torus.majorRadius} + r) / r);
 }
+
+/// A line touches the surface if an extremum of the distance is this near to it, in r: 113-bit rounding, and
+/// some.
+inline constexpr double touchMargin = 1e-24;
 
 /// How far a position of a clear ray may be from the exact hit of the ray as given, in R + r: 2^-24 for the
 /// exact position, rounded, and half as much again for all other roundings.

@@ -5,6 +5,7 @@
 #include "reference/rays.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <sstream>
 
@@ -177,6 +178,51 @@ Ray segment(Random& random, const Scene& scene, int branch) {
     return ray;
 }
 
+// 2^-bits to 1, by about as many in each octave.
+double smallNumber(Random& random, int bits) {
+    return std::ldexp(random.uniform(0.5, 1), -random.below(bits));
+}
+
+// The contact is fourfold where the line is a tangent of the top circle in its plane; turned out of both by a
+// little.
+Ray topCircle(Random& random, const Scene& scene, int branch) {
+    const DoubleVec2 u = random.onCircle();
+    const double top = random.sign();
+    const DoubleVec3 point{scene.R * u[0], scene.R * u[1], top * scene.r};
+    const DoubleVec3 outwards{u[0], u[1], 0}, alongU{-u[1], u[0], 0}, up{0, 0, top};
+    const double aside = random.sign() * smallNumber(random, 20),
+                 slope = random.sign() * smallNumber(random, 27);
+    const DoubleVec3 direction = unit(alongU + aside * outwards + slope * up);
+    const double offset = (branch == 0 ? 1 : -1) * scene.margin * scene.r;
+    return makeRay(point + offset * up - scene.D * direction, direction);
+}
+
+// Within a tenth of r of the dimple's tip. A torus without a dimple has its centre there.
+Ray dimpleCone(Random& random, const Scene& scene, int branch) {
+    const DoubleVec2 u = random.onCircle();
+    const double rho = 0.1 * scene.r * smallNumber(random, 13), top = random.sign();
+    const double q = rho - scene.R;
+    const double z = scene.r > scene.R ? top * std::sqrt((scene.r - q) * (scene.r + q)) : 0;
+    const DoubleVec3 point{rho * u[0], rho * u[1], z};
+    const DoubleVec3 normal = unit({q * u[0], q * u[1], z}), alongU{-u[1], u[0], 0};
+    const DoubleVec3 alongV = unit({-z * u[0], -z * u[1], q});
+    const double aside = random.sign() * smallNumber(random, 20);
+    const DoubleVec3 direction = unit(random.sign() * alongV + aside * alongU);
+    const double offset = (branch == 0 ? 1 : -1) * scene.margin * scene.r;
+    return makeRay(point + offset * normal - scene.D * direction, direction);
+}
+
+// Near its tip a horn is rho = z^2 / (2 R): what passes the tip at a distance d passes the surface at some
+// d^2 / (2 R).
+Ray hornTip(Random& random, const Scene& scene, int branch) {
+    const double aside = smallNumber(random, 13);
+    const DoubleVec3 across = random.onSphere();
+    const DoubleVec3 direction =
+        branch == 0 ? across : unit({aside * across[0], aside * across[1], random.sign()});
+    const double offset = 0.2 * scene.r * smallNumber(random, 13);
+    return makeRay(offset * random.onSphere() - scene.D * direction, direction);
+}
+
 struct Generator {
     RayClass rayClass;
     const char* name;
@@ -197,6 +243,9 @@ constexpr Generator generators[] = {
     {RayClass::nonUnit, "nonUnit", 2, nonUnit},
     {RayClass::grazing, "grazing", 2, grazing},
     {RayClass::segment, "segment", 3, segment},
+    {RayClass::topCircle, "topCircle", 2, topCircle},
+    {RayClass::dimpleCone, "dimpleCone", 2, dimpleCone},
+    {RayClass::hornTip, "hornTip", 2, hornTip},
 };
 
 const Generator& generatorOf(RayClass rayClass) {

@@ -27,12 +27,23 @@ enum class RayClass {
     nonUnit,      // a camera ray whose direction has a length of: 1e-18..1 | 1..1e18
     grazing,      // passes a surface point at `margin` r: outside | inside
     segment,      // a camera ray with: tMin and tMax near the solid | tMax before it | tMin beyond its centre
+    topCircle,    // runs along the top circle, nearly in fourfold contact, at `margin` r: outside | inside
+    dimpleCone,   // along the cone in which a spindle's dimple ends, at `margin` r: outside | inside
+    hornTip,      // past a horn's tip: across | nearly along the axis
 };
 
 inline constexpr RayClass allRayClasses[] = {
     RayClass::camera,       RayClass::inside,      RayClass::hole,          RayClass::equatorial,
     RayClass::axisParallel, RayClass::throughAxis, RayClass::throughCentre, RayClass::leaving,
-    RayClass::axisAligned,  RayClass::nonUnit,     RayClass::grazing,       RayClass::segment};
+    RayClass::axisAligned,  RayClass::nonUnit,     RayClass::grazing,       RayClass::segment,
+    RayClass::topCircle,    RayClass::dimpleCone,  RayClass::hornTip};
+
+// Whether the rays of a class are aimed to pass the surface by `margin`, and judged however near to a
+// tangent.
+constexpr bool passesByMargin(RayClass rayClass) {
+    return rayClass == RayClass::grazing || rayClass == RayClass::topCircle ||
+           rayClass == RayClass::dimpleCone || rayClass == RayClass::hornTip;
+}
 
 const char* nameOf(RayClass rayClass);
 // For GoogleTest's messages.
@@ -44,7 +55,7 @@ int branchCount(RayClass rayClass);
 struct RayParameters {
     Torus torus{1.0f, 0.25f};
     double distance = 3;   // of the origin from the centre, in units of the larger radius; see originDistance
-    double margin = 1e-4;  // grazing only, in units of minorRadius
+    double margin = 1e-4;  // of classes that pass by it, in units of minorRadius
     std::uint64_t seed = 1;
 };
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "reference/promise.hpp"
 #include "reference/rays.hpp"
 #include "verify/statistics.hpp"
 
@@ -14,10 +15,12 @@ struct Cell {
     reference::RayClass rayClass = reference::RayClass::camera;
     float minorRadius = 0.25F;  ///< the major radius is 1
     double distance = 3.0;      ///< of origins from the centre, in R; 0 for a class that has none of its own
-    double margin = 0.0;        ///< grazing alone: from this part of r ...
+    double margin = 0.0;        ///< of classes that pass by a margin: from this part of r ...
     double marginTo = 0.0;      ///< ... to this
 
-    [[nodiscard]] bool isGrazing() const { return rayClass == reference::RayClass::grazing; }
+    [[nodiscard]] bool isGrazing() const { return reference::passesByMargin(rayClass); }
+    /// Whether roots in doubles are worth too few digits: near tangents, and in hair-thin tubes.
+    [[nodiscard]] bool needsPreciseTruth() const { return isGrazing() || minorRadius < 1e-3F; }
     [[nodiscard]] reference::Torus torus() const { return {1.0F, minorRadius}; }
     /// From here on its rays are clear, in r: see isClear.
     [[nodiscard]] double tangentMargin() const { return isGrazing() ? margin : clearMargin; }
@@ -29,7 +32,7 @@ struct Cell {
 
 struct CellChoice {
     std::vector<reference::RayClass> classes;  ///< empty: all
-    std::vector<float> radii;                  ///< empty: .001 .01 .05 .1 .25 .5 .9 1 1.5
+    std::vector<float> radii;                  ///< empty: 1e-7 to 1e-3 by tens, .01 .05 .1 .25 .5 .9 1 1.5
     std::vector<double> distances;             ///< empty: 1.5 3 10 100 1e3 1e4 1e6; grazing to 100
 };
 
@@ -45,9 +48,10 @@ struct Bar {
     double tP99 = 0.0;
     double tMax = 0.0;
 };
-Bar barOf(const Cell& cell);
+Bar barOf(const Cell& cell, reference::Tier tier = reference::Tier::Exact);
 
 /// One sentence for each bar that a cell breaks.
-std::vector<std::string> brokenBars(const Cell& cell, const Statistics& statistics);
+std::vector<std::string> brokenBars(const Cell& cell, const Statistics& statistics,
+                                    reference::Tier tier = reference::Tier::Exact);
 
 }  // namespace raytorus::verify

@@ -33,10 +33,11 @@ std::vector<CellResult> verifyCells(Verifier& verifier, const VerifyOptions& opt
 }
 
 // The faults, first of all those with a replay; then the bars that they break.
-std::vector<std::string> listFaults(const VerifyOptions& options, const std::vector<CellResult>& results) {
+std::vector<std::string> listFaults(const VerifyOptions& options, const std::vector<CellResult>& results,
+                                    reference::Tier tier) {
     std::vector<std::string> broken;
     for (const CellResult& result : results) {
-        const std::vector<std::string> bars = brokenBars(result.cell, result.statistics);
+        const std::vector<std::string> bars = brokenBars(result.cell, result.statistics, tier);
         if (bars.empty()) {
             continue;
         }
@@ -73,8 +74,9 @@ ExitCode verifyAll(gpu::Context& context, Verifier& verifier, const VerifyOption
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     fmt::print("{}", tableText(results, options.rows));
     // Bars are the library's promises; other methods have made none.
-    const bool own = options.method == methods().front().name;
-    const std::vector<std::string> broken = own ? listFaults(options, results) : std::vector<std::string>();
+    const std::optional<reference::Tier> tier = findMethod(options.method)->tier;
+    const std::vector<std::string> broken =
+        tier ? listFaults(options, results, *tier) : std::vector<std::string>();
     const auto rays = static_cast<double>(options.rays) * static_cast<double>(results.size());
     fmt::print("{:.3g} rays in {:.1f} s: {:.3g} million a minute\n", rays, seconds, 60e-6 * rays / seconds);
     if (file) {
@@ -83,7 +85,7 @@ ExitCode verifyAll(gpu::Context& context, Verifier& verifier, const VerifyOption
         file->write(resultsJson(run, results, broken));
         file->commit();
     }
-    if (!own) {
+    if (!tier) {
         return ExitCode::Ok;
     }
     fmt::print("{}\n", broken.empty() ? "every bar is held" : fmt::format("{} bar(s) broken", broken.size()));

@@ -29,7 +29,7 @@ Statistics Verifier::judgeBlock(const Cell& cell, const std::vector<reference::R
         Statistics part;
         for (std::size_t i = from; i < to; ++i) {
             const reference::Ray& ray = rays[i];
-            Truth truth = cell.isGrazing() ? preciseTruth(torus, ray) : quickTruth(torus, ray);
+            Truth truth = cell.needsPreciseTruth() ? preciseTruth(torus, ray) : quickTruth(torus, ray);
             if (!isClear(truth, cell.tangentMargin(), endMargin)) {
                 ++part.rays;
                 ++part.unclear;
