@@ -307,6 +307,42 @@ TEST_F(UnfitGolden, PictureWithOneValueOff) {
     }
 }
 
+// A device that rounds 8 times as loosely may be 8 times as far off, and no further.
+TEST_F(UnfitGolden, PictureOfALooseDevice) {
+    const golden::Set set(folder);
+    const auto codeAt = [&](const image::Image& actual, float factor) {
+        return golden::check(set, set.cases()[0], "label", actual, 0, factor).exitCode;
+    };
+    for (const float off : {7.5F, 8.5F}) {
+        image::Image spoilt = perfect;
+        value(spoilt, 24, 21, "t") += off * value(truth, 24, 21, "tolerance.t");
+        EXPECT_EQ(codeAt(spoilt, 1.0F), ExitCode::ComparisonFailed);
+        EXPECT_EQ(codeAt(spoilt, 8.0F), off < 8.0F ? ExitCode::Ok : ExitCode::ComparisonFailed);
+    }
+}
+
+// And may flip where the margin is up to 8. What is exact elsewhere stays so.
+TEST_F(UnfitGolden, PictureOfALooseDeviceThatFlips) {
+    const int x = 24, y = 21;
+    for (const float margin : {4.0F, 8.0F}) {
+        image::Image edge = truth;
+        for (const char* channel : {"margin", "margin.count", "margin.color"}) {
+            value(edge, x, y, channel) = margin;
+        }
+        writeGolden(edge);
+        acceptGolden();
+        const golden::Set set(folder);
+        for (const char* channel : {"id", "count", "R"}) {
+            image::Image spoilt = perfect;
+            value(spoilt, x, y, channel) += 1.0F;
+            EXPECT_EQ(golden::check(set, set.cases()[0], "label", spoilt).exitCode,
+                      ExitCode::ComparisonFailed);
+            const golden::Checked loose = golden::check(set, set.cases()[0], "label", spoilt, 0, 8.0F);
+            EXPECT_EQ(loose.exitCode, margin < 8.0F ? ExitCode::Ok : ExitCode::ComparisonFailed) << channel;
+        }
+    }
+}
+
 TEST_F(UnfitGolden, PictureWithOtherBits) {
     const golden::Set set(folder);
     EXPECT_EQ(golden::bitsFault(set, set.cases()[0], perfect), "");

@@ -4,6 +4,8 @@
 
 #include <filesystem>
 
+#include "image/image_io.hpp"
+#include "image/manifest.hpp"
 #include "program_test.hpp"
 
 namespace raytorus::test {
@@ -82,6 +84,37 @@ TEST_F(ProgramGolden, CheckFindsAnotherPicture) {
     expectCheck(static_cast<int>(ExitCode::File), "the scene has changed");
     renew({"dark"});
     expectCheck(static_cast<int>(ExitCode::ComparisonFailed), "other bits");
+}
+
+// What breaks a 64th of the tolerances keeps the whole of them.
+TEST_F(ProgramGolden, CheckForgivesADeviceThatRoundsLoosely) {
+    const fs::path path = folder / "golden" / "dark.exr";
+    image::Image truth = image::readImage(path);
+    const auto tolerance = static_cast<std::size_t>(truth.channelIndex("tolerance.normal"));
+    for (std::size_t i = tolerance; i < truth.pixels.size(); i += truth.channelNames.size()) {
+        truth.pixels[i] /= 64.0F;
+    }
+    image::writeImage(path, truth);
+    image::writeManifest(folder / "golden" / "manifest.json", image::manifestOf(folder / "golden"));
+    expectCheck(static_cast<int>(ExitCode::ComparisonFailed), "normal");
+    EXPECT_EQ(check({"--tolerance-factor", "1"}).exitCode, static_cast<int>(ExitCode::ComparisonFailed));
+    const ProgramResult loose = check({"--tolerance-factor", "64", "--report", "report"});
+    EXPECT_EQ(loose.exitCode, 0) << testing::PrintToString(loose);
+    EXPECT_NE(loose.out.find("are right at 64 times the rounding; "), std::string::npos) << loose.out;
+    const std::string report = fileText(folder / "report" / "report.json");
+    for (const char* words :
+         {"\"tolerance factor\": \"64\"", "raytorus golden check horn --tolerance-factor 64"}) {
+        EXPECT_NE(report.find(words), std::string::npos) << words;
+    }
+}
+
+TEST_F(ProgramGolden, ToleranceFactorIsANumberFrom1To1000) {
+    for (const char* factor : {"0", "0.5", "-8", "1001", "nan", "inf"}) {
+        expectFailure({"golden", "check", "--tolerance-factor", factor}, ExitCode::Usage,
+                      {"--tolerance-factor is a number from 1 to 1000, not ", factor});
+    }
+    expectFailure({"golden", "check", "--tolerance-factor", "eight"}, ExitCode::Usage,
+                  {"--tolerance-factor", "eight", "--help"});
 }
 
 TEST_F(ProgramGolden, RenewNeedsNamesAReasonAndAPerson) {

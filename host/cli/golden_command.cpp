@@ -26,6 +26,7 @@ Examples:
   raytorus golden list
   raytorus golden check
   raytorus golden check ring_half horn --report out/report
+  raytorus golden check --tolerance-factor 8
   raytorus golden renew ring_half --reason "the camera stands closer")";
 
 struct GoldenCommand {
@@ -33,6 +34,7 @@ struct GoldenCommand {
     std::vector<std::string> names;
     std::string report;
     std::string reason;
+    float toleranceFactor = 1.0F;
     bool all = false;
     DeviceOptions device;
 };
@@ -80,8 +82,8 @@ std::vector<Drawing> drawingsOf(const std::vector<golden::Case>& rows) {
 
 class Checking {
 public:
-    Checking(const golden::Set& goldens, const DeviceOptions& deviceOptions)
-        : set(&goldens), shaders(deviceOptions.shaders()) {}
+    Checking(const golden::Set& goldens, const GoldenCommand& command)
+        : set(&goldens), shaders(command.device.shaders()), toleranceFactor(command.toleranceFactor) {}
 
     /// The pipelines take most of the time: they are made several at once, while pictures are drawn.
     void prepare(const gpu::Context& context, const Drawing& drawing,
@@ -97,7 +99,7 @@ public:
         const image::Image actual = golden::draw(context, *set, drawing.row, drawing.route,
                                                  shadersOf(drawing), &pipelines[drawing.method]);
         golden::Checked checked =
-            golden::check(*set, drawing.row, drawing.label, actual, drawing.allowedPixels);
+            golden::check(*set, drawing.row, drawing.label, actual, drawing.allowedPixels, toleranceFactor);
         const bool bitsPromised = context.info().type == "CPU" && drawing.method == nullptr;
         if (checked.report.passed && bitsPromised) {
             if (const std::string fault = golden::bitsFault(*set, drawing.row, actual); !fault.empty()) {
@@ -111,7 +113,7 @@ public:
         report.catches = drawing.row.catches;
         report.explainCommand =
             fmt::format("raytorus explain --scene {} --pixel {{x}},{{y}}", set->scene(drawing.row).string());
-        report.rerunCommand = fmt::format("raytorus golden check {}", drawing.row.name);
+        report.rerunCommand = fmt::format("raytorus golden check {}{}", drawing.row.name, looser());
         report.renewCommand = fmt::format("raytorus golden renew {} --reason \"...\"", drawing.row.name);
         count(checked);
         cases.push_back(std::move(checked.report));
@@ -127,6 +129,11 @@ public:
             }
         }
         exitCode = code;
+    }
+
+    // The option, where it was given.
+    [[nodiscard]] std::string looser() const {
+        return toleranceFactor == 1.0F ? "" : fmt::format(" --tolerance-factor {}", toleranceFactor);
     }
 
     ExitCode exitCode = ExitCode::Ok;
@@ -154,13 +161,18 @@ private:
 
     const golden::Set* set;
     render::ShaderSource shaders;
+    float toleranceFactor;
 };
 
 ExitCode runCheck(const GoldenCommand& command) {
     const auto start = std::chrono::steady_clock::now();
+    if (!(command.toleranceFactor >= 1.0F && command.toleranceFactor <= 1000.0F)) {
+        throw Error(ExitCode::Usage, fmt::format("--tolerance-factor is a number from 1 to 1000, not {:g}",
+                                                 command.toleranceFactor));
+    }
     const golden::Set set(command.folder);
     const std::vector<golden::Case> rows = chosenCases(set, command.names);
-    Checking checking(set, command.device);
+    Checking checking(set, command);
     if (command.names.empty()) {
         for (const std::string& fault : golden::folderFaults(set)) {
             fmt::print("{}\n", fault);
@@ -168,6 +180,9 @@ ExitCode runCheck(const GoldenCommand& command) {
         }
     }
     image::ReportHeading heading{"Golden pictures", {{"raytorus", std::string(version())}}};
+    if (command.toleranceFactor != 1.0F) {
+        heading.facts.emplace_back("tolerance factor", fmt::format("{}", command.toleranceFactor));
+    }
     withDevice(command.device, [&](gpu::Context& context) {
         heading.facts.emplace_back("device", context.info().name);
         heading.facts.emplace_back("driver", context.info().driverInfo);
@@ -187,9 +202,12 @@ ExitCode runCheck(const GoldenCommand& command) {
         heading.facts.emplace_back("seconds", fmt::format("{:.1f}", seconds));
         image::writeReportFolder(command.report, checking.cases, heading);
     }
-    fmt::print("{} of {} pictures of {} cases are right; {} of {} marginal pixels flip; {:.1f} s\n",
+    const std::string looser = command.toleranceFactor == 1.0F
+                                   ? ""
+                                   : fmt::format(" at {} times the rounding", command.toleranceFactor);
+    fmt::print("{} of {} pictures of {} cases are right{}; {} of {} marginal pixels flip; {:.1f} s\n",
                static_cast<std::int64_t>(checking.cases.size()) - checking.failures, checking.cases.size(),
-               rows.size(), checking.flips, checking.marginal, seconds);
+               rows.size(), looser, checking.flips, checking.marginal, seconds);
     return checking.exitCode;
 }
 
@@ -264,6 +282,10 @@ void addGoldenCommand(CLI::App& app, Action& action) {
                                     "Draw the cases by both routes and hold them to their truths", runCheck);
     check.add_option("cases", command->names, "Cases instead of all")->option_text("CASE...");
     check.add_option("--report", command->report, "Write a page with the pictures here")->option_text("DIR");
+    check
+        .add_option("--tolerance-factor", command->toleranceFactor,
+                    "Each tolerance times F, 1 to 1000, for a device that rounds so loosely")
+        ->option_text("F [1]");
     addDeviceOptions(check, command->device);
     CLI::App& renew = addSubcommand(*golden, action, command, "renew",
                                     "Make the truths of the named cases anew, by the reference", runRenew);

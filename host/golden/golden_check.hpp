@@ -29,9 +29,10 @@ struct Checked {
 
 /// Holds a picture to the truth: manifest and sidecar first, then size and channels, non-finite values, what
 /// is exact, and every value within the tolerance of its pixel.
-/// label: of the picture, "ring_half_compute". allowedPixels: that may be off by more.
+/// label: of the picture, "ring_half_compute". allowedPixels: that may be off by more. toleranceFactor: for a
+/// device that rounds so many times as loosely, by which each tolerance grows and each margin shrinks.
 Checked check(const Set& set, const Case& row, const std::string& label, const image::Image& actual,
-              int allowedPixels = 0);
+              int allowedPixels = 0, float toleranceFactor = 1.0f);
 
 /// Why the bits are not those that are recorded; empty if they are.
 std::string bitsFault(const Set& set, const Case& row, const image::Image& actual);
