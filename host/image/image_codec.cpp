@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // PNG is written without OpenImageIO; for the rest, the module that knows it is loaded when it is first
-// needed.
+// needed. Without the module there is less that can be read.
 #include "image/image_codec.hpp"
 
 #include <dlfcn.h>
@@ -10,21 +10,23 @@
 
 #include "core/error.hpp"
 #include "image/openimageio_codec.hpp"
+#include "image/plain_codec.hpp"
 #include "image/png_encode.hpp"
 
 namespace raytorus::image {
 
 namespace {
 
+Image decodePlainly(std::span<const std::byte> bytes, Format format, std::string_view name) {
+    return format == Format::Exr ? plain::decodeExr(bytes, name) : plain::decodePng(bytes, name);
+}
+
 // Never unloaded: its threads and statics end with the program. The loader looks for it by the program's run
 // path.
 Codec load() {
     void* const module = dlopen(codecModule, RTLD_LAZY | RTLD_LOCAL);
     const void* const found = module != nullptr ? dlsym(module, codecSymbol) : nullptr;
-    if (found == nullptr) {
-        throw Error(ExitCode::Internal, fmt::format("OpenImageIO could not be loaded: {}", dlerror()));
-    }
-    return *static_cast<const Codec*>(found);
+    return found != nullptr ? *static_cast<const Codec*>(found) : Codec{plain::encodeExr, decodePlainly};
 }
 
 const Codec& codec() {

@@ -7,36 +7,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <memory>
-#include <numeric>
 #include <string>
 #include <tuple>
 #include <utility>
 
 #include "core/error.hpp"
+#include "image/codec_checks.hpp"
 #include "image/png_chunks.hpp"
 
 namespace raytorus::image {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> colourChannels = {"R", "G", "B", "A"};
-
 const char* pluginName(Format format) {
     return format == Format::Exr ? "openexr" : "png";
-}
-const char* formatName(Format format) {
-    return format == Format::Exr ? "OpenEXR" : "PNG";
-}
-
-[[noreturn]] void failReading(std::string_view name, std::string_view reason) {
-    throw Error(ExitCode::File, fmt::format("cannot read \"{}\": {}", name, reason));
-}
-
-[[noreturn]] void failWriting(std::string_view name, std::string_view reason) {
-    throw Error(ExitCode::File, fmt::format("cannot write \"{}\": {}", name, reason));
 }
 
 // OpenImageIO's message as a part of one sentence: its first line, without the full stop.
@@ -67,32 +53,6 @@ std::vector<std::byte> encodeExr(const Image& image, std::string_view name) {
     }
     const auto stored = std::as_bytes(std::span(bytes));
     return {stored.begin(), stored.end()};
-}
-
-// R, G, B, A first, then by name. Files keep their channels in orders of their own.
-std::vector<std::size_t> documentedOrder(std::span<const std::string> names) {
-    std::vector<std::size_t> order(names.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    const auto rank = [&](std::size_t channel) {
-        const auto place = std::ranges::find(colourChannels, names[channel]) - colourChannels.begin();
-        return std::tuple(place, std::string_view(names[channel]));
-    };
-    std::ranges::sort(order, {}, rank);
-    return order;
-}
-
-void checkSignature(std::span<const std::byte> bytes, Format format, std::string_view name) {
-    constexpr std::array<unsigned char, 4> exr = {0x76, 0x2f, 0x31, 0x01};
-    constexpr std::array<unsigned char, 8> png = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-    const std::span<const unsigned char> signature =
-        format == Format::Exr ? std::span<const unsigned char>(exr) : std::span<const unsigned char>(png);
-    if (bytes.empty()) {
-        failReading(name, "it is empty");
-    }
-    if (bytes.size() < signature.size() ||
-        !std::ranges::equal(bytes.first(signature.size()), std::as_bytes(signature))) {
-        failReading(name, fmt::format("it is not an image in the {} format", formatName(format)));
-    }
 }
 
 void checkSpec(const OIIO::ImageSpec& spec, Format format, std::string_view name) {
@@ -181,18 +141,8 @@ Image decodeImage(std::span<const std::byte> bytes, Format format, std::string_v
     std::ignore =
         input->geterror();  // that there is no second part is no error; unread, OpenImageIO prints it
 
-    const std::vector<std::size_t> order = documentedOrder(spec.channelnames);
-    std::vector<std::string> names;
-    for (const std::size_t channel : order) {
-        names.push_back(spec.channelnames[channel]);
-    }
-    Image image(spec.width, spec.height, std::move(names));
+    Image image = arrangedImage(spec.width, spec.height, spec.channelnames, values);
     image.sampleType = sampleTypeOf(spec, format);
-    for (std::size_t first = 0; first < values.size(); first += order.size()) {
-        for (std::size_t channel = 0; channel < order.size(); ++channel) {
-            image.pixels[first + channel] = values[first + order[channel]];
-        }
-    }
     return image;
 }
 

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "image/codec_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <tuple>
+
+#include "core/error.hpp"
+
+namespace raytorus::image {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> colourChannels = {"R", "G", "B", "A"};
+
+const char* formatName(Format format) {
+    return format == Format::Exr ? "OpenEXR" : "PNG";
+}
+
+}  // namespace
+
+void failReading(std::string_view name, std::string_view reason) {
+    throw Error(ExitCode::File, fmt::format("cannot read \"{}\": {}", name, reason));
+}
+
+void failWriting(std::string_view name, std::string_view reason) {
+    throw Error(ExitCode::File, fmt::format("cannot write \"{}\": {}", name, reason));
+}
+
+void checkSignature(std::span<const std::byte> bytes, Format format, std::string_view name) {
+    constexpr std::array<unsigned char, 4> exr = {0x76, 0x2f, 0x31, 0x01};
+    constexpr std::array<unsigned char, 8> png = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+    const std::span<const unsigned char> signature =
+        format == Format::Exr ? std::span<const unsigned char>(exr) : std::span<const unsigned char>(png);
+    if (bytes.empty()) {
+        failReading(name, "it is empty");
+    }
+    if (bytes.size() < signature.size() ||
+        !std::ranges::equal(bytes.first(signature.size()), std::as_bytes(signature))) {
+        failReading(name, fmt::format("it is not an image in the {} format", formatName(format)));
+    }
+}
+
+std::vector<std::size_t> documentedOrder(std::span<const std::string> names) {
+    std::vector<std::size_t> order(names.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto rank = [&](std::size_t channel) {
+        const auto place = std::ranges::find(colourChannels, names[channel]) - colourChannels.begin();
+        return std::tuple(place, std::string_view(names[channel]));
+    };
+    std::ranges::sort(order, {}, rank);
+    return order;
+}
+
+Image arrangedImage(int width, int height, std::span<const std::string> names,
+                    std::span<const float> values) {
+    const std::vector<std::size_t> order = documentedOrder(names);
+    std::vector<std::string> arranged;
+    for (const std::size_t channel : order) {
+        arranged.push_back(names[channel]);
+    }
+    Image image(width, height, std::move(arranged));
+    for (std::size_t first = 0; first < values.size(); first += order.size()) {
+        for (std::size_t channel = 0; channel < order.size(); ++channel) {
+            image.pixels[first + channel] = values[first + order[channel]];
+        }
+    }
+    return image;
+}
+
+}  // namespace raytorus::image

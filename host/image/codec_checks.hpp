@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// What all who read image files do alike: the words for failing, the signature, the order of channels.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "image/image_codec.hpp"
+
+namespace raytorus::image {
+
+[[noreturn]] void failReading(std::string_view name, std::string_view reason);
+[[noreturn]] void failWriting(std::string_view name, std::string_view reason);
+
+/// Throws Error{File} unless the bytes begin as a file of this format does.
+void checkSignature(std::span<const std::byte> bytes, Format format, std::string_view name);
+
+/// R, G, B, A first, then by name: the places of a file's channels, whose order is its own.
+[[nodiscard]] std::vector<std::size_t> documentedOrder(std::span<const std::string> names);
+
+/// The image of values that are interleaved in the file's order of channels.
+[[nodiscard]] Image arrangedImage(int width, int height, std::span<const std::string> names,
+                                  std::span<const float> values);
+
+}  // namespace raytorus::image

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// Image files read and written without OpenImageIO, held to OpenImageIO: the same image of each file, the
+// same bytes.
+#include "image/plain_codec.hpp"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstring>
+#include <filesystem>
+#include <numeric>
+
+#include "core/file.hpp"
+#include "expect_error.hpp"
+#include "image/image_codec.hpp"
+#include "scratch_folder.hpp"
+
+namespace raytorus::image {
+namespace {
+
+using test::expectError;
+using test::scratchFolder;
+
+std::vector<std::uint32_t> valueBits(const Image& image) {
+    std::vector<std::uint32_t> bits(image.pixels.size());
+    std::memcpy(bits.data(), image.pixels.data(), bits.size() * sizeof(float));
+    return bits;
+}
+
+void expectSame(const Image& plain, const Image& image) {
+    EXPECT_EQ(plain.width, image.width);
+    EXPECT_EQ(plain.height, image.height);
+    EXPECT_EQ(plain.channelNames, image.channelNames);
+    EXPECT_EQ(plain.sampleType, image.sampleType);
+    EXPECT_EQ(valueBits(plain), valueBits(image));
+}
+
+// Values with all exponents and both signs, of which zip makes little or nothing.
+Image anImage(int width, int height, std::vector<std::string> names, bool noise) {
+    Image image(width, height, std::move(names));
+    std::uint32_t state = 2024;
+    for (float& value : image.pixels) {
+        state = state * 1664525u + 1013904223u;
+        value = noise ? std::bit_cast<float>(state) : static_cast<float>(state >> 28) / 8.0f;
+    }
+    return image;
+}
+
+TEST(PlainCodec, GoldensAreReadAsByOpenImageIo) {
+    int files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(RAYTORUS_SOURCE_DIR "/golden")) {
+        if (entry.path().extension() == ".exr") {
+            SCOPED_TRACE(entry.path());
+            const std::vector<std::byte> bytes = readFile(entry.path());
+            const Image image = decode(bytes, Format::Exr, "golden");
+            expectSame(plain::decodeExr(bytes, "golden"), image);
+            EXPECT_EQ(plain::encodeExr(image, "golden"), bytes);
+            ++files;
+        }
+    }
+    EXPECT_GE(files, 60);
+}
+
+TEST(PlainCodec, ExrOfAnyShapeIsTheSameBothWays) {
+    const std::string longName(40, 'n');
+    for (const bool noise : {false, true}) {
+        for (const auto& [width, height] : {std::pair(1, 1), {1, 16}, {3, 17}, {64, 33}, {200, 5}}) {
+            for (const std::vector<std::string>& names : {std::vector<std::string>{"Y"},
+                                                          {"R", "G", "B", "A"},
+                                                          {"b", "a", "B", "AA", "a.b", longName}}) {
+                const Image image = anImage(width, height, names, noise);
+                const std::vector<std::byte> bytes = encode(image, Format::Exr, "image");
+                EXPECT_EQ(plain::encodeExr(image, "image"), bytes) << width << " x " << height;
+                expectSame(plain::decodeExr(bytes, "image"), decode(bytes, Format::Exr, "image"));
+            }
+        }
+    }
+}
+
+// The bytes of a file that OpenImageIO writes.
+std::vector<std::byte> written(const char* format, OIIO::ImageSpec spec, OIIO::TypeDesc type,
+                               const void* values, const std::filesystem::path& path) {
+    const auto output = OIIO::ImageOutput::create(format);
+    spec.attribute("DateTime", "");
+    EXPECT_TRUE(output->open(path.string(), spec)) << output->geterror();
+    EXPECT_TRUE(output->write_image(type, values)) << output->geterror();
+    EXPECT_TRUE(output->close());
+    return readFile(path);
+}
+
+TEST(PlainCodec, ExrOfOtherProgramsIsReadOrRefusedInASentence) {
+    const auto path = scratchFolder() / "a.exr";
+    const Image image = anImage(21, 19, {"R", "G", "B"}, false);
+    OIIO::ImageSpec spec(21, 19, 3, OIIO::TypeDesc::FLOAT);
+    const auto bytesOf = [&] {
+        return written("openexr", spec, OIIO::TypeDesc::FLOAT, image.pixels.data(), path);
+    };
+    for (const auto& type : {OIIO::TypeDesc::FLOAT, OIIO::TypeDesc::HALF}) {
+        spec.set_format(type);
+        for (const char* compression : {"none", "zip", "zips"}) {
+            spec.attribute("compression", compression);
+            const std::vector<std::byte> bytes = bytesOf();
+            expectSame(plain::decodeExr(bytes, "a"), decode(bytes, Format::Exr, "a"));
+        }
+    }
+    spec.attribute("compression", "piz");
+    expectError([&] { std::ignore = plain::decodeExr(bytesOf(), "a"); }, ExitCode::File,
+                {"compressed", "OpenImageIO"});
+    spec.attribute("compression", "zip");
+    spec.set_format(OIIO::TypeDesc::UINT);
+    expectError([&] { std::ignore = plain::decodeExr(bytesOf(), "a"); }, ExitCode::File,
+                {"channel B holds integers"});
+    spec.set_format(OIIO::TypeDesc::FLOAT);
+    spec.full_width = 30;
+    expectError([&] { std::ignore = plain::decodeExr(bytesOf(), "a"); }, ExitCode::File, {"display window"});
+    spec.full_width = 21;
+    spec.tile_width = spec.tile_height = 16;
+    expectError([&] { std::ignore = plain::decodeExr(bytesOf(), "a"); }, ExitCode::File,
+                {"laid out", "OpenImageIO"});
+}
+
+TEST(PlainCodec, EveryHalfIsTheFloatThatItIs) {
+    std::vector<std::uint16_t> halves(65536);
+    std::iota(halves.begin(), halves.end(), std::uint16_t{0});
+    const OIIO::ImageSpec spec(256, 256, 1, OIIO::TypeDesc::HALF);
+    const std::vector<std::byte> bytes =
+        written("openexr", spec, OIIO::TypeDesc::HALF, halves.data(), scratchFolder() / "half.exr");
+    expectSame(plain::decodeExr(bytes, "half"), decode(bytes, Format::Exr, "half"));
+}
+
+TEST(PlainCodec, PngOfEveryKindIsReadAsByOpenImageIo) {
+    const auto path = scratchFolder() / "a.png";
+    std::vector<std::uint16_t> values(13 * 7 * 4);
+    std::iota(values.begin(), values.end(), std::uint16_t{60000});
+    for (int channels = 1; channels <= 4; ++channels) {
+        for (const auto& type : {OIIO::TypeDesc::UINT8, OIIO::TypeDesc::UINT16}) {
+            OIIO::ImageSpec spec(13, 7, channels, type);
+            spec.attribute("oiio:UnassociatedAlpha", 1);
+            const std::vector<std::byte> bytes =
+                written("png", spec, OIIO::TypeDesc::UINT16, values.data(), path);
+            expectSame(plain::decodePng(bytes, "a"), decode(bytes, Format::Png, "a"));
+        }
+    }
+}
+
+template <typename Decode>
+void expectDamageSeen(const std::vector<std::byte>& bytes, Decode decodePlainly) {
+    for (std::size_t size = 0; size < bytes.size(); ++size) {
+        SCOPED_TRACE("cut to " + std::to_string(size) + " of " + std::to_string(bytes.size()));
+        expectError([&] { std::ignore = decodePlainly(std::span(bytes).first(size), "cut"); }, ExitCode::File,
+                    {"cannot read \"cut\": "});
+    }
+    std::size_t refused = 0;
+    for (std::size_t at = 0; at < bytes.size(); ++at) {
+        for (const std::byte flip : {std::byte{0x01}, std::byte{0x80}, std::byte{0xff}}) {
+            std::vector<std::byte> damaged = bytes;
+            damaged[at] ^= flip;
+            try {
+                std::ignore = decodePlainly(damaged, "damaged");
+            } catch (const Error& error) {
+                EXPECT_EQ(error.exitCode, ExitCode::File) << error.what();
+                ++refused;
+            }
+        }
+    }
+    EXPECT_GE(refused, 3 * bytes.size() / 2);
+}
+
+TEST(PlainCodec, DamageNeverDoesMoreThanFail) {
+    const Image image = anImage(1, 40, {"R", "G", "B", "A"}, false);
+    expectDamageSeen(encode(image, Format::Exr, "whole"), plain::decodeExr);
+    expectDamageSeen(encode(image, Format::Png, "whole"), plain::decodePng);
+}
+
+}  // namespace
+}  // namespace raytorus::image
