@@ -9,7 +9,7 @@ raytorus_add_tests(image_tests
         image_test.cpp
         image_io_test.cpp
         image_file_error_test.cpp
-        plain_codec_test.cpp
+        openexr_codec_test.cpp
         compare_test.cpp
         compare_truth_test.cpp
         comparison_text_test.cpp

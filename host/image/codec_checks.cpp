@@ -30,6 +30,16 @@ void failWriting(std::string_view name, std::string_view reason) {
     throw Error(ExitCode::File, fmt::format("cannot write \"{}\": {}", name, reason));
 }
 
+std::string oneLine(std::string message) {
+    message.resize(std::min(message.size(), message.find('\n')));
+    while (!message.empty() && (message.back() == '.' || message.back() == ' ')) {
+        message.pop_back();
+    }
+    std::ranges::replace_if(
+        message, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
+    return message.empty() ? "no reason given" : message;
+}
+
 void checkSignature(std::span<const std::byte> bytes, Format format, std::string_view name) {
     constexpr std::array<unsigned char, 4> exr = {0x76, 0x2f, 0x31, 0x01};
     constexpr std::array<unsigned char, 8> png = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};

@@ -15,6 +15,10 @@ namespace raytorus::image {
 [[noreturn]] void failReading(std::string_view name, std::string_view reason);
 [[noreturn]] void failWriting(std::string_view name, std::string_view reason);
 
+/// A library's message as a part of one sentence: its first line, without the full stop, and without what a
+/// terminal would obey.
+[[nodiscard]] std::string oneLine(std::string message);
+
 /// Throws Error{File} unless the bytes begin as a file of this format does.
 void checkSignature(std::span<const std::byte> bytes, Format format, std::string_view name);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // PNG is written without OpenImageIO; for the rest, the module that knows it is loaded when it is first
-// needed. Without the module there is less that can be read.
+// needed: OpenImageIO's, or where that is not, OpenEXR's.
 #include "image/image_codec.hpp"
 
 #include <dlfcn.h>
@@ -9,29 +9,31 @@
 #include <algorithm>
 
 #include "core/error.hpp"
-#include "image/openimageio_codec.hpp"
-#include "image/plain_codec.hpp"
+#include "image/codec_module.hpp"
 #include "image/png_encode.hpp"
 
 namespace raytorus::image {
 
-namespace {
-
-Image decodePlainly(std::span<const std::byte> bytes, Format format, std::string_view name) {
-    return format == Format::Exr ? plain::decodeExr(bytes, name) : plain::decodePng(bytes, name);
-}
-
 // Never unloaded: its threads and statics end with the program. The loader looks for it by the program's run
 // path.
-Codec load() {
-    void* const module = dlopen(codecModule, RTLD_LAZY | RTLD_LOCAL);
-    const void* const found = module != nullptr ? dlsym(module, codecSymbol) : nullptr;
-    return found != nullptr ? *static_cast<const Codec*>(found) : Codec{plain::encodeExr, decodePlainly};
+const Codec* loadCodec(const char* module) {
+    void* const handle = dlopen(module, RTLD_LAZY | RTLD_LOCAL);
+    void* const found = handle != nullptr ? dlsym(handle, codecSymbol) : nullptr;
+    return found != nullptr ? reinterpret_cast<decltype(&raytorusCodec)>(found)() : nullptr;
 }
 
-const Codec& codec() {
-    static const Codec loaded = load();
-    return loaded;
+namespace {
+
+const Codec& codec(std::string_view name) {
+    static const Codec* const loaded = [] {
+        const Codec* const best = loadCodec(openImageIoModule);
+        return best != nullptr ? best : loadCodec(openExrModule);
+    }();
+    if (loaded == nullptr) {
+        throw Error(ExitCode::File, fmt::format("neither {} nor {}, which \"{}\" needs, can be loaded",
+                                                openImageIoModule, openExrModule, name));
+    }
+    return *loaded;
 }
 
 }  // namespace
@@ -47,11 +49,11 @@ std::vector<std::byte> encode(const Image& image, Format format, std::string_vie
             fmt::format("cannot write \"{}\": {}", name,
                         problem.empty() ? "the number of its pixels does not match its size" : problem));
     }
-    return format == Format::Png ? encodePng(image, name) : codec().encodeExr(image, name);
+    return format == Format::Png ? encodePng(image, name) : codec(name).encodeExr(image, name);
 }
 
 Image decode(std::span<const std::byte> bytes, Format format, std::string_view name) {
-    return codec().decode(bytes, format, name);
+    return codec(name).decode(bytes, format, name);
 }
 
 }  // namespace raytorus::image

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // OpenEXR both ways, and PNG from a file, by way of OpenImageIO. A module of its own, see CMakeLists.txt.
-#include "image/openimageio_codec.hpp"
-
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
@@ -15,6 +13,7 @@
 
 #include "core/error.hpp"
 #include "image/codec_checks.hpp"
+#include "image/codec_module.hpp"
 #include "image/png_chunks.hpp"
 
 namespace raytorus::image {
@@ -23,15 +22,6 @@ namespace {
 
 const char* pluginName(Format format) {
     return format == Format::Exr ? "openexr" : "png";
-}
-
-// OpenImageIO's message as a part of one sentence: its first line, without the full stop.
-std::string oneLine(std::string message) {
-    message.resize(std::min(message.size(), message.find('\n')));
-    while (!message.empty() && (message.back() == '.' || message.back() == ' ')) {
-        message.pop_back();
-    }
-    return message.empty() ? "no reason given" : message;
 }
 
 std::vector<std::byte> encodeExr(const Image& image, std::string_view name) {
@@ -146,9 +136,12 @@ Image decodeImage(std::span<const std::byte> bytes, Format format, std::string_v
     return image;
 }
 
+constexpr Codec codec = {encodeExr, decodeImage};
+
 }  // namespace
 
 }  // namespace raytorus::image
 
-extern "C" const raytorus::image::Codec raytorusCodec = {raytorus::image::encodeExr,
-                                                         raytorus::image::decodeImage};
+extern "C" const raytorus::image::Codec* raytorusCodec() {
+    return &raytorus::image::codec;
+}

@@ -30,8 +30,10 @@ endif()
 
 # Loaded with the bundle's C++ runtime, as where the system has none, everything but these is the bundle's.
 set(of_the_system "^(linux-vdso|lib(c|m|dl|pthread|rt|vulkan|X11|xcb|Xau|Xdmcp|bsd|md))\\.so")
-foreach(program IN ITEMS raytorus raytorus-verify raytorus-bench raytorus-view)
-    execute_process(COMMAND ${clean} "LD_LIBRARY_PATH=${bundle}/lib/runtime" ldd "${bundle}/libexec/${program}"
+set(programs raytorus raytorus-verify raytorus-bench raytorus-view)
+list(TRANSFORM programs PREPEND libexec/ OUTPUT_VARIABLE loading)
+foreach(program IN LISTS loading ITEMS lib/raytorus-openexr.so)
+    execute_process(COMMAND ${clean} "LD_LIBRARY_PATH=${bundle}/lib/runtime" ldd "${bundle}/${program}"
         OUTPUT_VARIABLE libraries COMMAND_ERROR_IS_FATAL ANY)
     string(REGEX MATCHALL "[^\n]+ => [^\n]+" lines "${libraries}")
     list(LENGTH lines count)
@@ -47,10 +49,12 @@ foreach(program IN ITEMS raytorus raytorus-verify raytorus-bench raytorus-view)
             fault("${program}: ${name} is not the bundle's: ${path}")
         endif()
     endforeach()
+endforeach()
+foreach(program IN LISTS programs)
     started(0 "^([a-z-]+ )?[0-9.]+\n$" "${bundle}/bin/${program}" --version)
 endforeach()
 
-# Pictures are read and written without the module that the build folder has.
+# Pictures are read and written without OpenImageIO, whose module the build folder has.
 set(raytorus "${bundle}/bin/raytorus")
 started(0 "" "${raytorus}" render "${bundle}/scenes/ring.json" --size 32x24 -o ring.exr)
 started(0 "" "${raytorus}" render "${bundle}/scenes/ring.json" --size 32x24 -o ring.png)

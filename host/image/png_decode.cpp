@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // PNG files by libpng, read as they are stored.
+#include "image/png_decode.hpp"
+
 #include <fmt/format.h>
 #include <png.h>
 
@@ -11,10 +13,9 @@
 #include <cstring>
 
 #include "image/codec_checks.hpp"
-#include "image/plain_codec.hpp"
 #include "image/png_chunks.hpp"
 
-namespace raytorus::image::plain {
+namespace raytorus::image {
 
 namespace {
 
@@ -136,4 +137,4 @@ Image decodePng(std::span<const std::byte> bytes, std::string_view name) {
     return image;
 }
 
-}  // namespace raytorus::image::plain
+}  // namespace raytorus::image

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// PNG from a file, by libpng.
+#pragma once
+
+#include "image/image_codec.hpp"
+
+namespace raytorus::image {
+
+/// Every PNG, as decode() describes it.
+[[nodiscard]] Image decodePng(std::span<const std::byte> bytes, std::string_view name);
+
+}  // namespace raytorus::image
