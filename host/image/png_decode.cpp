@@ -19,7 +19,7 @@ namespace raytorus::image {
 
 namespace {
 
-struct Input {
+struct PngInput {
     std::span<const std::byte> bytes;  // not yet read
     std::string problem;
 };
@@ -35,7 +35,7 @@ struct Stored {
 };
 
 void read(png_struct* png, png_byte* to, std::size_t size) {
-    auto& bytes = static_cast<Input*>(png_get_io_ptr(png))->bytes;
+    auto& bytes = static_cast<PngInput*>(png_get_io_ptr(png))->bytes;
     if (size > bytes.size()) {
         png_error(png, "it ends too early");
     }
@@ -44,7 +44,7 @@ void read(png_struct* png, png_byte* to, std::size_t size) {
 }
 
 [[noreturn]] void keepProblem(png_struct* png, const char* message) {
-    static_cast<Input*>(png_get_error_ptr(png))->problem = message;
+    static_cast<PngInput*>(png_get_error_ptr(png))->problem = message;
     png_longjmp(png, 1);
 }
 
@@ -115,7 +115,7 @@ Image decodePng(std::span<const std::byte> bytes, std::string_view name) {
     if (const std::string problem = pngProblem(bytes); !problem.empty()) {
         failReading(name, problem);
     }
-    Input input{bytes, ""};
+    PngInput input{bytes, ""};
     Stored stored;
     png_struct* png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &input, keepProblem, passOver);
     png_info* info = png != nullptr ? png_create_info_struct(png) : nullptr;
