@@ -31,7 +31,7 @@ using render::TraceRay;
 
 constexpr std::array minorRadii = {0.001F, 0.01F, 0.1F, 0.25F, 0.5F, 0.9F, 1.0F, 1.5F};
 
-// Of each class, radius and distance, and as many again with small components: 57 600 rays.
+// Of each class, radius and distance, and as many again with small components: 72 000 rays.
 constexpr std::uint64_t raysEach = 60;
 
 struct Case {

@@ -33,7 +33,9 @@ void PrintTo(const Loose& loose, std::ostream* out) {
 
 std::vector<verify::Cell> clearCells() {
     std::vector<verify::Cell> cells = verify::chooseCells({});
-    std::erase_if(cells, [](const verify::Cell& cell) { return cell.isGrazing(); });
+    // Loose arithmetic is too coarse for hair-thin tubes.
+    std::erase_if(cells,
+                  [](const verify::Cell& cell) { return cell.isGrazing() || cell.minorRadius < 1e-3F; });
     return cells;
 }
 

@@ -40,13 +40,13 @@ double wrongPartNearTangents(const Cell& cell) {
     const float r = cell.minorRadius;
     switch (cell.rayClass) {
         case RayClass::topCircle:
-            return r >= 1e-4F ? 0.0 : r >= 1e-5F ? 0.02 : r >= 1e-6F ? 0.12 : 0.3;
+            return r >= 1e-3F ? 0.0 : r >= 1e-4F ? 1e-3 : r >= 1e-5F ? 0.02 : r >= 1e-6F ? 0.12 : 0.3;
         case RayClass::dimpleCone:
             return 2e-3;
         case RayClass::hornTip:
-            return 0.0;
+            return 1e-3;
         default:
-            return r >= 0.01F ? 0.0 : r >= 1e-5F ? 1e-3 : 5e-3;
+            return r >= 0.01F ? 1e-4 : r >= 1e-5F ? 1e-3 : 5e-3;
     }
 }
 

@@ -143,7 +143,9 @@ torus_Parabola torus_parabola(const torus_Quartic quartic, torus_March march) {
     TORUS_PRECISE float bound = march.side < 0.0 ? max(abs(twoU), abs(ahead)) : least;
     TORUS_PRECISE float g = march.side * f;
     TORUS_PRECISE float s = march.side * h;
-    TORUS_PRECISE float C = march.side * (c + bound * bound) - (TORUS_EXACT ? quartic.blurOfA : 0.0);
+    // A far root is as far as C is small: take C as small as rounding can have made it.
+    TORUS_PRECISE float rounding = TORUS_EXACT && s >= 0.0 ? quartic.blurOfA : 0.0;
+    TORUS_PRECISE float C = march.side * (c + bound * bound) - rounding;
     TORUS_PRECISE float twoReach = 2.0 * march.reach;
     TORUS_PRECISE float bend = abs(c) + (twoU * twoU + twoReach * twoReach);
     return torus_Parabola(g, s, C, bend);
@@ -195,7 +197,7 @@ void torus_step(const torus_Quartic quartic, float left, inout torus_March march
         holds = !known && (tangent || noise);
         x = known ? x : max(x, 0.0);
     } else {
-        x = crosses ? x : max(x, leastStep);
+        x = crosses ? max(x, -lastStep) : max(x, leastStep);
     }
     x = min(x, reach);
     TORUS_PRECISE float next = u + x;
@@ -210,7 +212,7 @@ void torus_step(const torus_Quartic quartic, float left, inout torus_March march
 // Marches on until a refinement is due, by at most so many steps.
 void torus_search(const torus_Quartic quartic, float upper, int steps, inout torus_March march) {
     TORUS_ON_PASS
-    bool busy = !march.refines;
+    bool busy = !march.refines && march.u < upper;
     for (int i = 0; i < steps && busy; ++i) {
         TORUS_ON_STEP
         // Nothing is to be found where the inner sheet of a spindle is. Who comes there from outside is past a crossing,

@@ -93,18 +93,20 @@ torus_Crossing torus_refine(const torus_Line line, inout torus_March march) {
     TORUS_PRECISE float x = denominator != 0.0 ? numerator / denominator : 0.0;
     // Whether the parabola is good for so long a step.
     TORUS_PRECISE float size = abs(x);
-    TORUS_PRECISE float rest = point.shiftLow + x;
-    TORUS_PRECISE float t = (line.baseShift + point.shift) + rest;
-    TORUS_PRECISE float order = abs(point.sixthThird * x * x * x);
-    TORUS_PRECISE float smallOrder = TORUS_THIRD_ORDER * root * clamp(abs(t), TORUS_SHORT_T, 1.0);
-    TORUS_PRECISE float relativeSize = size * (r * line.length2);
-    TORUS_PRECISE float longStep = TORUS_LONG_STEP * abs(s);
     TORUS_PRECISE float toAxis = size * abs(point.along);
     TORUS_PRECISE float nearAxis = TORUS_AXIS_STEP * (point.rho * point.rho);
     TORUS_PRECISE float value = size * max(root, abs(s));
     TORUS_PRECISE float tinyValue = TORUS_TINY_VALUE * r;
     bool tiny = size <= TORUS_TINY_STEP || (size <= TORUS_SMALL_STEP && value <= tinyValue);
     bool beside = toAxis <= nearAxis;
+    // A step past the edge that rho has at the axis leads nowhere: the point itself is the crossing.
+    x = tiny && !beside ? 0.0 : x;
+    TORUS_PRECISE float rest = point.shiftLow + x;
+    TORUS_PRECISE float t = (line.baseShift + point.shift) + rest;
+    TORUS_PRECISE float order = abs(point.sixthThird * x * x * x);
+    TORUS_PRECISE float smallOrder = TORUS_THIRD_ORDER * root * clamp(abs(t), TORUS_SHORT_T, 1.0);
+    TORUS_PRECISE float relativeSize = size * (r * line.length2);
+    TORUS_PRECISE float longStep = TORUS_LONG_STEP * abs(s);
     bool good = tiny || march.known || (order <= smallOrder && relativeSize <= longStep && beside);
     TORUS_PRECISE float crossing = march.u + x;
     // From past a dip's extremum the parabola's falling root is behind: of a dip that the march has passed by rounding, or
@@ -113,18 +115,21 @@ torus_Crossing torus_refine(const torus_Line line, inout torus_March march) {
     bool touches = C < 0.0 && g < 0.0;
     bool exists = (discriminant >= 0.0 && ahead) || touches;
     bool found = exists && good;
+    // Where the parabola is good and has no root, the line passes the surface by, and the march goes on behind the extremum.
+    bool passes = !exists && good && nears && x > 0.0;
     // A longer step may still lead nearer, and to another refinement.
     TORUS_PRECISE float largeOrder = TORUS_LARGE_ORDER * value;
     TORUS_PRECISE float lastStep = TORUS_LAST_STEP * r;
     bool repeats = exists && !good && beside && order <= largeOrder && size <= lastStep;
     TORUS_PRECISE vec3 position = point.high + (point.low + x * line.direction);
     TORUS_PRECISE float beyond = crossing + TORUS_CLEARANCE;
-    march.u = found ? beyond : (repeats ? crossing : march.u);
-    march.from = found ? beyond : march.from;
+    TORUS_PRECISE float behind = crossing + x;
+    march.u = found ? beyond : (repeats ? crossing : (passes ? behind : march.u));
+    march.from = found ? beyond : (passes ? behind : march.from);
     march.side = found ? -march.side : march.side;
     march.reach = found ? torus_firstReach(line, march.side) : march.reach;
     march.refines = repeats;
-    march.known = !found && !repeats;
+    march.known = !found && !repeats && !passes;
     // What decides nothing here decides the next step, by what f and its slope are exactly.
     if (march.known) {
         TORUS_PRECISE float invDd2 = line.invLength2 * line.invLength2;

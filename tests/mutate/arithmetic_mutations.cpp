@@ -9,6 +9,7 @@ constexpr const char* arithmetic = "torus/double_float.glsl";
 constexpr const char* ray = "torus/ray.glsl";
 constexpr const char* refine = "torus/refine.glsl";
 constexpr const char* torus = "torus/torus.glsl";
+constexpr const char* crossing = "torus/crossing.glsl";
 
 constexpr Mutation rows[] = {
     {"precise-dropped", arithmetic, "#define TORUS_PRECISE precise", "#define TORUS_PRECISE",
@@ -85,7 +86,7 @@ constexpr Mutation rows[] = {
     {"third-derivative-none", refine, "sixthThird = bend * rhoSlope * invRho", "sixthThird = 0.0",
      "what the parabola leaves out is taken for none"},
     {"axis-unguarded", refine, "max(rho, TORUS_AXIS)", "rho", "0 / 0 on the axis", Shows::InNumbers},
-    {"axis-wide", refine, "#define TORUS_AXIS 1.0e-12", "#define TORUS_AXIS 1.0e-1",
+    {"axis-wide", crossing, "#define TORUS_AXIS 1.0e-12", "#define TORUS_AXIS 1.0e-1",
      "a tenth of the torus is taken for its axis"},
     {"axis-step-long", refine, "#define TORUS_AXIS_STEP 0.25", "#define TORUS_AXIS_STEP 1.0e6",
      "steps past the edge that rho has at the axis", Shows::InNumbers},

@@ -8,6 +8,7 @@ namespace {
 
 constexpr const char* torus = "torus/torus.glsl";
 constexpr const char* refine = "torus/refine.glsl";
+constexpr const char* crossing = "torus/crossing.glsl";
 
 constexpr Mutation rows[] = {
     {"refinement-missing", refine, "float x = denominator != 0.0 ? numerator / denominator : 0.0",
@@ -35,8 +36,10 @@ constexpr Mutation rows[] = {
      "a dip that the march has passed by rounding is lost", Shows::InNumbers},
     {"flat-found", refine, "(C > 0.0 && crossing >= march.from)", "crossing >= march.from",
      "where the parabola is a rising line it has no root ahead", Shows::InNumbers},
-    {"from-forgotten", refine, "march.from = found ? beyond : march.from;", "",
+    {"from-forgotten", refine, "march.from = found ? beyond : (passes ? behind : march.from);", "",
      "what has been found is found again", Shows::InNumbers},
+    {"passed-by-slowly", refine, "bool passes = !exists && good && nears && x > 0.0", "bool passes = false",
+     "a line that passes the surface by keeps the march at its extremum", Shows::InNumbers},
     {"touching-way-out-lost", refine, " || touches;", ";", "what enters where the line touches never leaves",
      Shows::InNumbers},
 
@@ -62,14 +65,14 @@ constexpr Mutation rows[] = {
      "a step that leads nearer is not followed by another", Shows::InNumbers},
     {"repeats-order-zero", refine, "#define TORUS_LARGE_ORDER 0.125", "#define TORUS_LARGE_ORDER 0.0",
      "a long step that leads nearer is not taken", Shows::InNumbers},
-    {"repeats-on-the-spot", refine, "(repeats ? crossing : march.u)", "march.u",
-     "what is repeated is repeated at the same place"},
+    {"repeats-on-the-spot", refine, "(repeats ? crossing : (passes ? behind : march.u))",
+     "(passes ? behind : march.u)", "what is repeated is repeated at the same place"},
     {"repeats-past-the-axis", refine, "!good && beside && order", "!good && order",
      "a step past the edge that rho has at the axis leads nowhere", Shows::InNumbers},
 
-    {"found-again", refine, "#define TORUS_CLEARANCE 1.9073486328e-6", "#define TORUS_CLEARANCE 0.0",
+    {"found-again", crossing, "#define TORUS_CLEARANCE 1.9073486328e-6", "#define TORUS_CLEARANCE 0.0",
      "a crossing is found twice"},
-    {"clearance-wide", refine, "#define TORUS_CLEARANCE 1.9073486328e-6", "#define TORUS_CLEARANCE 0.5",
+    {"clearance-wide", crossing, "#define TORUS_CLEARANCE 1.9073486328e-6", "#define TORUS_CLEARANCE 0.5",
      "the next crossing is jumped over"},
     {"side-kept", refine, "march.side = found ? -march.side : march.side", "march.side = march.side",
      "the way out is searched from outside"},
@@ -91,7 +94,7 @@ constexpr Mutation rows[] = {
     {"position-unscaled", torus, "position = crossing.position * line.unit", "position = crossing.position",
      "the position in units of the torus' size"},
 
-    {"end-sign", refine, "(line.endShift - crossing.shift)", "(line.endShift + crossing.shift)",
+    {"end-sign", crossing, "(line.endShift - crossing.shift)", "(line.endShift + crossing.shift)",
      "a sign of what is left to the end"},
     {"nearest-beyond-the-end", torus,
      "hits = crossing.found && torus_isWithin(line, crossing);\n            if (hits)",

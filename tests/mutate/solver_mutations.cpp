@@ -98,7 +98,7 @@ constexpr Mutation rows[] = {
      "a tangent that is not near is decided by rounding"},
     {"doubt-without-slope", march, "abs(p.C) + abs(p.s))", "abs(p.C))", "the rounding of the slope forgotten",
      Shows::InNumbers},
-    {"bend-as-rounded", march, "TORUS_EXACT ? quartic.blurOfA : 0.0", "0.0",
+    {"bend-as-rounded", march, "TORUS_EXACT && s >= 0.0 ? quartic.blurOfA : 0.0", "0.0",
      "a curvature that is all rounding leads past a dip", Shows::InNumbers},
     {"noise-followed", march, "bool noise = nears && p.g < quartic.blur && !crosses", "bool noise = false",
      "a value that is all rounding leads past a dimple's cone", Shows::InNumbers},
