@@ -2,6 +2,7 @@
 # The solver's stages one by one, and the fast tier, as C++: no device.
 raytorus_add_tests(stages_tests
     SOURCES
+        stage_clip_test.cpp
         stage_contract_test.cpp
         stage_rays.cpp
         stage_reduce_test.cpp
