@@ -4,8 +4,10 @@ raytorus_add_tests(stages_tests
     SOURCES
         stage_clip_test.cpp
         stage_contract_test.cpp
+        stage_parabola_test.cpp
         stage_rays.cpp
         stage_reduce_test.cpp
+        stage_step_test.cpp
         stages_cxx_exact.cpp
         stages_cxx_fast.cpp
     LIBRARIES raytorus::render raytorus::reference glm::glm)
