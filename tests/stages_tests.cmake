@@ -7,6 +7,7 @@ raytorus_add_tests(stages_tests
         stage_parabola_test.cpp
         stage_rays.cpp
         stage_reduce_test.cpp
+        stage_refine_test.cpp
         stage_step_test.cpp
         stages_cxx_exact.cpp
         stages_cxx_fast.cpp
