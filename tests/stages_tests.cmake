@@ -2,6 +2,10 @@
 # The solver's stages one by one, and the fast tier, as C++: no device.
 raytorus_add_tests(stages_tests
     SOURCES
+        contract_checks.cpp
+        fast_leaving_test.cpp
+        fast_rays.cpp
+        fast_tier_test.cpp
         stage_clip_test.cpp
         stage_contract_test.cpp
         stage_parabola_test.cpp
@@ -11,6 +15,7 @@ raytorus_add_tests(stages_tests
         stage_step_test.cpp
         stages_cxx_exact.cpp
         stages_cxx_fast.cpp
+        tier_contract_test.cpp
     LIBRARIES raytorus::render raytorus::reference glm::glm)
 
 # Each tier is the same names with other macros: none can be compiled together with another.
