@@ -99,15 +99,16 @@ torus_Crossing torus_refine(const torus_Line line, inout torus_March march) {
     TORUS_PRECISE float tinyValue = TORUS_TINY_VALUE * r;
     bool tiny = size <= TORUS_TINY_STEP || (size <= TORUS_SMALL_STEP && value <= tinyValue);
     bool beside = toAxis <= nearAxis;
-    // A step past the edge that rho has at the axis leads nowhere: the point itself is the crossing.
-    x = tiny && !beside ? 0.0 : x;
+    // A step past the edge that rho has at the axis leads nowhere: the point itself is the crossing, if G is its rounding.
+    bool edge = !beside && (tiny || (abs(g) <= tinyValue && point.rho <= TORUS_SMALL_STEP));
+    x = edge ? 0.0 : x;
     TORUS_PRECISE float rest = point.shiftLow + x;
     TORUS_PRECISE float t = (line.baseShift + point.shift) + rest;
     TORUS_PRECISE float order = abs(point.sixthThird * x * x * x);
     TORUS_PRECISE float smallOrder = TORUS_THIRD_ORDER * root * clamp(abs(t), TORUS_SHORT_T, 1.0);
     TORUS_PRECISE float relativeSize = size * (r * line.length2);
     TORUS_PRECISE float longStep = TORUS_LONG_STEP * abs(s);
-    bool good = tiny || march.known || (order <= smallOrder && relativeSize <= longStep && beside);
+    bool good = tiny || edge || march.known || (order <= smallOrder && relativeSize <= longStep && beside);
     TORUS_PRECISE float crossing = march.u + x;
     // From past a dip's extremum the parabola's falling root is behind: of a dip that the march has passed by rounding, or
     // of one that it has found. A parabola that opens downwards and has no root touches: what has entered there leaves there.

@@ -40,6 +40,9 @@ constexpr Mutation rows[] = {
      "what has been found is found again", Shows::InNumbers},
     {"passed-by-slowly", refine, "bool passes = !exists && good && nears && x > 0.0", "bool passes = false",
      "a line that passes the surface by keeps the march at its extremum", Shows::InNumbers},
+    {"edge-overstepped", refine,
+     "bool edge = !beside && (tiny || (abs(g) <= tinyValue && point.rho <= TORUS_SMALL_STEP))",
+     "bool edge = false", "a step past rho's edge at the axis moves a crossing", Shows::InNumbers},
     {"touching-way-out-lost", refine, " || touches;", ";", "what enters where the line touches never leaves",
      Shows::InNumbers},
 
@@ -49,7 +52,7 @@ constexpr Mutation rows[] = {
      "#define TORUS_THIRD_ORDER 7.450580597e-5", "what the parabola leaves out, by a factor"},
     {"good-long-step-coarse", refine, "#define TORUS_LONG_STEP 0.015625", "#define TORUS_LONG_STEP 16.0",
      "the same, by a factor", Shows::InNumbers},
-    {"good-though-late", refine, "good = tiny || march.known ||", "good = tiny ||",
+    {"good-though-late", refine, "good = tiny || edge || march.known ||", "good = tiny || edge ||",
      "a crossing that there must be is refined for ever", Shows::InNumbers},
     {"tiny-step-never", refine, "size <= TORUS_TINY_STEP || (size", "(size",
      "a step that does not matter is repeated", Shows::InNumbers},
