@@ -113,9 +113,12 @@ TEST_P(StageParabola, IsNotAboveFAndNear) {
                 ASSERT_GE(above, -room) << fmt::format("side {} u {:a} reach {:a} x {} of it: ", side, u,
                                                        reach, static_cast<double>(part))
                                         << trial.text();
-                ASSERT_LE(above, change + room) << fmt::format("side {} u {:a} reach {:a} x {} of it: ", side,
-                                                               u, reach, static_cast<double>(part))
-                                                << trial.text();
+                // Where it rises its curvature is taken as small as rounding can have made it.
+                const Long lowered = 1.01L * blurOfA(exact, line) * x * x;
+                ASSERT_LE(above, change + room + lowered)
+                    << fmt::format("side {} u {:a} reach {:a} x {} of it: ", side, u, reach,
+                                   static_cast<double>(part))
+                    << trial.text();
             }
         }
     });

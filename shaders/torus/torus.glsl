@@ -22,7 +22,7 @@
 //     precision. Every step is `precise`, so drivers that round these operations correctly give the same bits.
 //
 // `#define TORUS_FAST` before the include: the same functions in plain float32, with half the code. Right verdicts, counts
-// and order where no tangent is nearer than 1e-3 r and r/R is 1e-3 to 1.5, but for a horn's tip; positions to 1e-6 (R + r)
+// and order where no tangent is nearer than 1e-3 r and r/R is 1e-3 to 1.5, but for a horn's tip; positions to 4e-6 (R + r)
 // for 99 of 100 hits; a start nearer to the surface than 1e-6 (R + r) counts as one on it, of which there is no hit. The
 // bits may differ between drivers.
 //
