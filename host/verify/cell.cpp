@@ -46,7 +46,7 @@ double wrongPartNearTangents(const Cell& cell) {
         case RayClass::hornTip:
             return 1e-3;
         default:
-            return r >= 0.01F ? 1e-4 : r >= 1e-5F ? 1e-3 : 5e-3;
+            return r >= 0.01F ? (cell.margin < 1e-5 ? 1e-4 : 0.0) : r >= 1e-5F ? 1e-3 : 5e-3;
     }
 }
 
