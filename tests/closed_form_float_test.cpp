@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <span>
+#include <vector>
 
 #include "closed_form_cxx.hpp"
 #include "closed_form_reference.hpp"
@@ -109,7 +111,14 @@ TEST_P(ClosedFormFloat, LosesHalfItsDigitsAndPairsNearATangentNoMore) {
     EXPECT_GT(withRoots, 1000U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Classes, ClosedFormFloat, testing::ValuesIn(reference::allRayClasses),
+// These tori have neither horns' tips nor dimples.
+INSTANTIATE_TEST_SUITE_P(Classes, ClosedFormFloat, testing::ValuesIn([] {
+                             std::vector<RayClass> classes(std::begin(reference::allRayClasses),
+                                                           std::end(reference::allRayClasses));
+                             std::erase(classes, RayClass::dimpleCone);
+                             std::erase(classes, RayClass::hornTip);
+                             return classes;
+                         }()),
                          [](const auto& row) { return std::string(nameOf(row.param)); });
 
 // Why beta is evaluated as a product: on the surface of a thin tube it is 0, and the sum is what 15 roundings
