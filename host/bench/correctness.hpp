@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "bench/kernel.hpp"
+#include "bench/view.hpp"
 #include "render/tracer.hpp"
 #include "verify/judge.hpp"
 
@@ -48,5 +50,8 @@ private:
 
 /// The part of these rays that hit, as views are aimed by: every `stride`th is looked at.
 double hitPartOf(const reference::Torus& torus, std::span<const render::TraceRay> rays, std::size_t stride);
+
+/// Where the workload's rays are seen from, so that the part of them that it wants hits.
+View aimedView(Kernel& kernel, const Workload& workload, std::uint64_t seed);
 
 }  // namespace raytorus::bench

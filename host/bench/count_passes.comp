@@ -1,7 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// What the library does for each ray: how many steps in which pass, and in which passes a refinement. See groups.hpp.
+// What the library does for the nearest hit of each ray: how many steps in which pass, and in which passes a refinement.
+// See groups.hpp.
 
 #include "groups_io.h"
 #include "trace_io.h"
@@ -31,7 +32,6 @@ void countRefinement() {
 #include "torus/torus.glsl"
 
 layout(local_size_x = TRACE_GROUP_SIZE) in;
-layout(constant_id = TRACE_CONSTANT_QUERY) const int query = TRACE_QUERY_NEAREST;
 
 layout(set = 0, binding = TRACE_BINDING_RAYS, std430) readonly buffer Rays { vec4 rays[]; };
 layout(set = 0, binding = TRACE_BINDING_HITS, std430) writeonly buffer Counts { uvec4 counts[]; };
@@ -42,15 +42,7 @@ void main() {
     vec4 from = rays[2u * i];
     vec4 to = rays[2u * i + 1u];
     Torus torus = Torus(majorRadius, minorRadius);
-    uint hits = 0u;
-    if (query == TRACE_QUERY_NEAREST) {
-        TorusHit hit;
-        hits = torusIntersect(torus, from.xyz, from.w, to.xyz, to.w, hit) ? 1u : 0u;
-    } else if (query == TRACE_QUERY_ALL) {
-        TorusHit all[4];
-        hits = uint(torusIntersectAll(torus, from.xyz, from.w, to.xyz, to.w, all));
-    } else {
-        hits = torusOccluded(torus, from.xyz, from.w, to.xyz, to.w) ? 1u : 0u;
-    }
+    TorusHit hit;
+    uint hits = torusIntersect(torus, from.xyz, from.w, to.xyz, to.w, hit) ? 1u : 0u;
     counts[i] = uvec4(steps, stepsOfPasses, refiningPasses, hits | refinements << GROUPS_REFINEMENTS_SHIFT);
 }

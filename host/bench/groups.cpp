@@ -9,17 +9,16 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "bench/correctness.hpp"
 #include "bench/groups_io.h"
 #include "bench/isa.hpp"
 #include "bench/kernel.hpp"
-#include "bench/view.hpp"
 #include "core/error.hpp"
 #include "gpu/buffer.hpp"
 #include "gpu/commands.hpp"
 #include "gpu/pipeline.hpp"
 #include "gpu/shader_module.hpp"
 #include "raytorus_bench_groups.hpp"
-#include "reference/intersect.hpp"
 #include "reference/rays.hpp"
 #include "trace_io.h"
 
@@ -63,24 +62,7 @@ std::vector<render::TraceRay> benchRays(Kernel& kernel, Pattern pattern, float m
                                         std::uint64_t seed) {
     const Workload workload{Mode::Made, pattern, minorRadius, cameraDistance,
                             pattern == Pattern::Tiles ? 30 : 50};
-    const reference::Torus torus = workload.torus();
-    const std::size_t stride = kernel.rayCount() / 512 | 1U;
-    const View view = aim(workload, kernel.pixels(), seed, [&](const View& tried) {
-        const std::vector<render::TraceRay> rays = kernel.rays(pattern, tried);
-        std::size_t asked = 0;
-        std::size_t hitting = 0;
-        for (std::size_t i = 0; i < rays.size(); i += stride) {
-            ++asked;
-            hitting += reference::intersectAs<double>(
-                           reference::BasicTorus<double>(torus),
-                           reference::BasicRay<double>(std::bit_cast<reference::Ray>(rays[i])))
-                                   .count > 0
-                           ? 1U
-                           : 0U;
-        }
-        return static_cast<double>(hitting) / static_cast<double>(asked);
-    });
-    return kernel.rays(pattern, view);
+    return kernel.rays(pattern, aimedView(kernel, workload, seed));
 }
 
 /// count_passes.comp on a device.
@@ -95,7 +77,6 @@ public:
         info.bindings = {{TRACE_BINDING_RAYS, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
                          {TRACE_BINDING_HITS, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}};
         info.pushConstantBytes = 2 * sizeof(float);
-        info.specialization = {queryConstant(render::Query::Nearest)};
         const gpu::ShaderModule shader(deviceContext, bench_groups::find("count_passes.comp"),
                                        "count_passes.comp");
         pipeline = gpu::makeComputePipeline(deviceContext, shader, info);
@@ -216,8 +197,11 @@ std::optional<PartCosts> countParts(const std::string& family) {
             countInstructions(context, methods, std::array{render::Query::Nearest});
         return PartCosts{part(GROUPS_PART_ENDS), part(GROUPS_PART_STEP), part(GROUPS_PART_REFINEMENT),
                          static_cast<double>(rows.back().of("Instructions").value_or(0))};
-    } catch (const Error&) {
-        return std::nullopt;
+    } catch (const Error& error) {
+        if (error.exitCode == ExitCode::NoDevice) {
+            return std::nullopt;
+        }
+        throw;
     }
 }
 
@@ -262,7 +246,9 @@ std::string groupsText(std::span<const GroupRow> rows, const std::optional<PartC
             "{:.0f}\n",
             costs->ends, costs->step, costs->refinement, costs->closedForm);
     } else {
-        text += "\nno instructions: they need Mesa's radv (Debian: mesa-vulkan-drivers)\n";
+        text +=
+            "\nno instructions: they need Mesa's radv (Debian: mesa-vulkan-drivers) and a --family that it "
+            "knows\n";
     }
     return text;
 }

@@ -12,9 +12,6 @@ namespace {
 // Enough that a stream of them leaves every cache.
 constexpr std::size_t streamCopies = 16;
 
-// Aiming looks at some 4096 rays: 0.7 % of hits more or less.
-constexpr std::size_t aimingRays = 4096;
-
 constexpr std::uint32_t mostLayers = 4096;
 
 }  // namespace
@@ -30,11 +27,7 @@ std::vector<CellResult> Measurer::measure(const Workload& workload, std::span<co
                                           const std::function<void(double)>& progress) {
     const reference::Torus torus = workload.torus();
     kernel.forgetPipelines();  // so that no method has bad luck in every workload
-    // An odd stride, so that every column of the picture is looked at.
-    const std::size_t stride = kernel.rayCount() / aimingRays | 1U;
-    const View view = aim(workload, kernel.pixels(), options.seed, [&](const View& tried) {
-        return hitPartOf(torus, kernel.rays(workload.pattern, tried), stride);
-    });
+    const View view = aimedView(kernel, workload, options.seed);
     const std::vector<render::TraceRay> rays = kernel.rays(workload.pattern, view);
     Truths truths(torus, rays);
     std::optional<Stream> stream;
