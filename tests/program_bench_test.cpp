@@ -177,8 +177,10 @@ TEST_F(ProgramBench, ExplainsWrongArguments) {
     expectError({"--family", "navi31"}, ExitCode::Usage, "--family is for --isa and --groups");
     expectError({"--shaders", "."}, ExitCode::Usage,
                 "--shaders: the benchmark has shaders of its own, built in");
-    for (const Arguments& arguments : {Arguments{"--rays", "5000"}, Arguments{"--rounds", "0"},
-                                       Arguments{"--seed", "x"}, Arguments{"extra"}}) {
+    for (const Arguments& arguments :
+         {Arguments{"--rays", "5000"}, Arguments{"--rounds", "0"}, Arguments{"--seed", "x"},
+          Arguments{"extra"}, Arguments{"--groups", "--isa"}, Arguments{"--groups", "--query", "any"},
+          Arguments{"--groups", "--html", "groups.html"}}) {
         const ProgramResult result = run(arguments);
         EXPECT_EQ(result.exitCode, static_cast<int>(ExitCode::Usage)) << testing::PrintToString(result);
         EXPECT_TRUE(result.err.ends_with("(see raytorus-bench --help)\n")) << result.err;

@@ -69,8 +69,14 @@ void addOptions(CLI::App& app, BenchOptions& options, Texts& texts, CLI::Option*
     app.add_flag(
         "--isa", options.isa,
         "Count the machine code of every method for an AMD GPU, which need not be there, by Mesa's radv");
-    app.add_flag("--groups", options.groups,
-                 "Count the steps of the slowest of 8, 32 and 64 rays, and what a group of lanes issues");
+    CLI::Option* groups =
+        app.add_flag("--groups", options.groups,
+                     "Count the steps of the slowest of 8, 32 and 64 rays, and what a group of lanes issues");
+    // It has rays of its own, times nothing and is of the library alone.
+    for (const char* other :
+         {"--workload", "--method", "--query", "--quick", "--rounds", "--html", "--against", "--isa"}) {
+        groups->excludes(app.get_option(other));
+    }
     app.add_option("--family", options.family,
                    "The GPU that --isa and --groups compile for, as radv calls it")
         ->option_text("NAME [navi21]");
