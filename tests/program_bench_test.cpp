@@ -175,6 +175,10 @@ TEST_F(ProgramBench, ExplainsWrongArguments) {
     expectError({"--method", "magic"}, ExitCode::Usage,
                 "--method: there is no method \"magic\" (there are" + names + ")");
     expectError({"--family", "navi31"}, ExitCode::Usage, "--family is for --isa and --groups");
+    for (const char* what : {"--isa", "--groups"}) {
+        expectError({what, "--family", "navi12345"}, ExitCode::Usage,
+                    "--family: radv knows no GPU called \"navi12345\"");
+    }
     expectError({"--shaders", "."}, ExitCode::Usage,
                 "--shaders: the benchmark has shaders of its own, built in");
     for (const Arguments& arguments :

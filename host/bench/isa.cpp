@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "bench/isa.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -34,6 +37,27 @@ std::optional<fs::path> findRadv() {
         }
     }
     return std::nullopt;
+}
+
+// radv ends the process where RADV_FORCE_FAMILY is no family that it knows, so another process tries.
+bool driverAborts() {
+    const pid_t child = fork();
+    if (child == 0) {
+        const int nowhere = open("/dev/null", O_WRONLY);
+        dup2(nowhere, STDERR_FILENO);
+        VkApplicationInfo application{VK_STRUCTURE_TYPE_APPLICATION_INFO};
+        application.apiVersion = VK_API_VERSION_1_3;
+        VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
+        info.pApplicationInfo = &application;
+        VkInstance instance = VK_NULL_HANDLE;
+        std::uint32_t count = 0;
+        if (vkCreateInstance(&info, nullptr, &instance) == VK_SUCCESS) {
+            vkEnumeratePhysicalDevices(instance, &count, nullptr);
+        }
+        _exit(0);
+    }
+    int status = 0;
+    return child > 0 && waitpid(child, &status, 0) == child && WIFSIGNALED(status);
 }
 
 template <typename Function>
@@ -147,17 +171,19 @@ std::optional<std::uint64_t> IsaRow::of(std::string_view statistic) const {
 
 void chooseNullDevice(const std::string& family) {
     setenv("RADV_FORCE_FAMILY", family.c_str(), 1);
-    if (std::getenv("VK_DRIVER_FILES") != nullptr || std::getenv("VK_ICD_FILENAMES") != nullptr) {
-        return;
+    if (std::getenv("VK_DRIVER_FILES") == nullptr && std::getenv("VK_ICD_FILENAMES") == nullptr) {
+        const auto radv = findRadv();
+        if (!radv) {
+            throw Error(ExitCode::NoDevice,
+                        "--isa needs Mesa's radv, and no radeon_icd*.json is installed (Debian: "
+                        "mesa-vulkan-drivers); VK_DRIVER_FILES may name one");
+        }
+        setenv("VK_DRIVER_FILES", radv->c_str(), 1);
+        setenv("VK_ICD_FILENAMES", radv->c_str(), 1);
     }
-    const auto radv = findRadv();
-    if (!radv) {
-        throw Error(ExitCode::NoDevice,
-                    "--isa needs Mesa's radv, and no radeon_icd*.json is installed (Debian: "
-                    "mesa-vulkan-drivers); VK_DRIVER_FILES may name one");
+    if (driverAborts()) {
+        throw Error(ExitCode::Usage, fmt::format("--family: radv knows no GPU called \"{}\"", family));
     }
-    setenv("VK_DRIVER_FILES", radv->c_str(), 1);
-    setenv("VK_ICD_FILENAMES", radv->c_str(), 1);
 }
 
 std::vector<IsaRow> countInstructions(gpu::Context& context, std::span<const TimedMethod> methods,
