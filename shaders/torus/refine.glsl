@@ -37,7 +37,7 @@ struct torus_Point {
     float shiftLow;    // ... and what is left of that
     float rho;
     float q;           // rho - R
-    float tube;        // G, to some 2^-45 of r (R + r)
+    float tube;        // G: near the surface to some 2^-45 of r (R + r)
     float along;       // the point times the direction: of the components across the axis ...
     float rise;        // ... and of that along it
     float halfSlope;   // G' / 2
@@ -73,6 +73,18 @@ torus_Point torus_pointAt(const torus_Line line, float u) {
     TORUS_PRECISE float bend = R * ((across * across) * invRho);
     TORUS_PRECISE float sixthThird = bend * rhoSlope * invRho;
     return torus_Point(p, low, shift, shiftLow, rho, q, tube, along, rise, halfSlope, bend, sixthThird);
+}
+
+// f and half its slope at the point, which G makes exact.
+void torus_tellMarch(const torus_Line line, const torus_Point point, inout torus_March march) {
+    TORUS_PRECISE float invDd2 = line.invLength2 * line.invLength2;
+    TORUS_PRECISE float twoR = 2.0 * line.majorRadius;
+    TORUS_PRECISE float middle = point.tube + twoR * point.rho;
+    TORUS_PRECISE float a = point.tube + twoR * point.q;
+    TORUS_PRECISE float f = point.tube * (middle + twoR * point.rho) * invDd2;
+    TORUS_PRECISE float h = 2.0 * (a * point.along + middle * point.rise) * invDd2;
+    march.f = f;
+    march.h = h;
 }
 
 // Refines where the march is. It goes on from there, on the other side of a crossing.
@@ -131,16 +143,9 @@ torus_Crossing torus_refine(const torus_Line line, inout torus_March march) {
     march.reach = found ? torus_firstReach(line, march.side) : march.reach;
     march.refines = repeats;
     march.known = !found && !repeats && !passes;
-    // What decides nothing here decides the next step, by what f and its slope are exactly.
+    // What decides nothing here decides the next step.
     if (march.known) {
-        TORUS_PRECISE float invDd2 = line.invLength2 * line.invLength2;
-        TORUS_PRECISE float twoR = 2.0 * line.majorRadius;
-        TORUS_PRECISE float middle = point.tube + twoR * point.rho;
-        TORUS_PRECISE float a = point.tube + twoR * point.q;
-        TORUS_PRECISE float f = point.tube * (middle + twoR * point.rho) * invDd2;
-        TORUS_PRECISE float h = 2.0 * (a * point.along + middle * point.rise) * invDd2;
-        march.f = f;
-        march.h = h;
+        torus_tellMarch(line, point, march);
     }
     return torus_Crossing(found, position, point.shift, rest);
 }

@@ -13,7 +13,7 @@
 #define TORUS_STEPS 64
 
 // The crossing that the march has come to. It goes on from there, on the other side.
-torus_Crossing torus_refine(torus_Line line, inout torus_March march) {
+torus_Crossing torus_refine(const torus_Line line, inout torus_March march) {
     TORUS_ON_REFINEMENT
     TORUS_PRECISE vec3 d = line.direction;
     TORUS_PRECISE float r = line.minorRadius;
