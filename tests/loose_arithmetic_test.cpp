@@ -35,7 +35,7 @@ std::vector<verify::Cell> clearCells() {
     std::vector<verify::Cell> cells = verify::chooseCells({});
     // Loose arithmetic is too coarse for hair-thin tubes.
     std::erase_if(cells,
-                  [](const verify::Cell& cell) { return cell.isGrazing() || cell.minorRadius < 1e-3F; });
+                  [](const verify::Cell& cell) { return cell.passesByMargin() || cell.minorRadius < 1e-3F; });
     return cells;
 }
 

@@ -17,10 +17,8 @@ bool isGross(const Explanation& e) {
     return !(e.library.position * size <= reference::grossError(e.torus));
 }
 
-// Does the line touch the surface, and do the answers differ by such pairs alone? The contract has both hits
-// there or none.
 bool isTouch(const Explanation& e) {
-    return e.clearance < reference::touchMargin && e.agree && (e.library.expected - e.library.found) % 2 == 0;
+    return e.agree && reference::differByTouches(e.clearance, e.library.expected, e.library.found);
 }
 
 // Is what differs no more than the hits at the ends of the ray that the contract leaves open?

@@ -26,6 +26,12 @@ inline double clearEndMargin(const Torus& torus) {
 /// some.
 inline constexpr double touchMargin = 1e-24;
 
+/// Whether two counts of a line's hits differ only by where it touches the surface: there the contract has
+/// both hits or none.
+constexpr bool differByTouches(double clearance, int count, int otherCount) {
+    return clearance < touchMargin && (count - otherCount) % 2 == 0;
+}
+
 /// How far a position of a clear ray may be from the exact hit of the ray as given, in R + r: 2^-24 for the
 /// exact position, rounded, and half as much again for all other roundings.
 inline constexpr double positionBound = 9e-8;

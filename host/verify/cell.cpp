@@ -52,7 +52,7 @@ double wrongPartNearTangents(const Cell& cell) {
 
 Bar exactBar(const Cell& cell) {
     Bar bar;
-    if (cell.isGrazing()) {
+    if (cell.passesByMargin()) {
         bar.wrongPart = wrongPartNearTangents(cell);
         bar.positionMax = bar.positionP99 = bar.surfaceMax = bar.tP99 = bar.tMax = INFINITY;
         return bar;
@@ -73,7 +73,7 @@ Bar exactBar(const Cell& cell) {
 Bar fastBar(const Cell& cell) {
     Bar bar;
     bar.tP99 = bar.tMax = bar.positionMax = bar.positionP99 = bar.surfaceMax = INFINITY;
-    if (cell.isGrazing() || cell.minorRadius < 0.001F) {
+    if (cell.passesByMargin() || cell.minorRadius < 0.001F) {
         bar.wrongPart = 1.0;
         return bar;
     }
@@ -95,7 +95,7 @@ reference::Ray Cell::ray(std::uint64_t seed, std::uint64_t index) const {
     parameters.torus = torus();
     parameters.distance = distance;
     parameters.seed = seed;
-    if (isGrazing()) {
+    if (passesByMargin()) {
         constexpr std::uint64_t marginStream = 1000;  // beyond the streams of the classes
         parameters.margin = between(margin, marginTo, reference::Random(seed, marginStream, index).below(64));
     }
@@ -104,7 +104,7 @@ reference::Ray Cell::ray(std::uint64_t seed, std::uint64_t index) const {
 
 std::string Cell::className() const {
     const char* const name = reference::nameOf(rayClass);
-    return isGrazing() ? fmt::format("{} {:g}..{:g}", name, margin, marginTo) : name;
+    return passesByMargin() ? fmt::format("{} {:g}..{:g}", name, margin, marginTo) : name;
 }
 
 std::vector<Cell> chooseCells(const CellChoice& choice) {
@@ -118,7 +118,7 @@ std::vector<Cell> chooseCells(const CellChoice& choice) {
     }
     std::vector<Cell> cells;
     for (const RayClass rayClass : classes) {
-        const bool grazing = reference::passesByMargin(rayClass);
+        const bool byMargin = reference::passesByMargin(rayClass);
         std::vector<double> distances = choice.distances;
         if (startsAtTorus(rayClass)) {
             distances = {0.0};
@@ -126,7 +126,7 @@ std::vector<Cell> chooseCells(const CellChoice& choice) {
             distances = {1.5, 3.0, 10.0, 100.0};
             // A ray's own rounding moves it by 2^-24 of its length: from further away a margin of 1e-6 r is
             // lost.
-            if (!grazing) {
+            if (!byMargin) {
                 distances.insert(distances.end(), {1e3, 1e4, 1e6});
             }
         }
@@ -135,7 +135,7 @@ std::vector<Cell> chooseCells(const CellChoice& choice) {
                 continue;
             }
             for (const double distance : distances) {
-                if (grazing) {
+                if (byMargin) {
                     cells.push_back({rayClass, radius, distance, 1e-6, 1e-5});
                     cells.push_back({rayClass, radius, distance, 1e-5, 1e-4});
                 } else {

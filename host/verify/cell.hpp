@@ -18,12 +18,12 @@ struct Cell {
     double margin = 0.0;        ///< of classes that pass by a margin: from this part of r ...
     double marginTo = 0.0;      ///< ... to this
 
-    [[nodiscard]] bool isGrazing() const { return reference::passesByMargin(rayClass); }
+    [[nodiscard]] bool passesByMargin() const { return reference::passesByMargin(rayClass); }
     /// Whether roots in doubles are worth too few digits: near tangents, and in hair-thin tubes.
-    [[nodiscard]] bool needsPreciseTruth() const { return isGrazing() || minorRadius < 1e-3F; }
+    [[nodiscard]] bool needsPreciseTruth() const { return passesByMargin() || minorRadius < 1e-3F; }
     [[nodiscard]] reference::Torus torus() const { return {1.0F, minorRadius}; }
     /// From here on its rays are clear, in r: see isClear.
-    [[nodiscard]] double tangentMargin() const { return isGrazing() ? margin : clearMargin; }
+    [[nodiscard]] double tangentMargin() const { return passesByMargin() ? margin : clearMargin; }
     /// The ray of that number.
     [[nodiscard]] reference::Ray ray(std::uint64_t seed, std::uint64_t index) const;
     /// "camera", "grazing 1e-06..1e-05".

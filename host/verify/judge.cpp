@@ -46,12 +46,6 @@ bool isFiniteHit(float t, const float (&position)[3]) {
            std::isfinite(position[2]);
 }
 
-// Whether the counts differ by pairs of hits where the line touches the surface: there both are right, or
-// none.
-bool differsByTouches(const Truth& truth, int count) {
-    return truth.clearance < reference::touchMargin && (count - truth.count) % 2 == 0;
-}
-
 Fault verdictFault(const Truth& truth, const Answers& answers) {
     const render::NearestHit& nearest = answers.nearest;
     const render::AllHits& all = answers.all;
@@ -67,7 +61,7 @@ Fault verdictFault(const Truth& truth, const Answers& answers) {
     if (!finite) {
         return Fault::NonFinite;
     }
-    const bool touches = differsByTouches(truth, count);
+    const bool touches = reference::differByTouches(truth.clearance, truth.count, count);
     if (found != hit && !touches) {
         return hit ? Fault::Missed : Fault::FalseHit;
     }

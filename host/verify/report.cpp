@@ -81,7 +81,7 @@ ordered_json cellJson(const CellResult& result, const std::string& method) {
     json["majorRadius"] = 1;
     json["minorRadius"] = cell.minorRadius;
     json["distance"] = cell.distance > 0.0 ? ordered_json(cell.distance) : ordered_json(nullptr);
-    if (cell.isGrazing()) {
+    if (cell.passesByMargin()) {
         json["margin"] = {cell.margin, cell.marginTo};
     }
     json["rays"] = statistics.rays;
