@@ -187,7 +187,7 @@ void torus_step(const torus_Quartic quartic, float left, inout torus_March march
     TORUS_PRECISE float slopeChange = p.bend * x;
     TORUS_PRECISE float quarterSlope = -0.25 * p.s;
     bool close = x <= min(lastStep, reach);
-    bool crosses = close && !doubtful && slopeChange < quarterSlope;
+    bool crosses = close && slopeChange < quarterSlope;
     TORUS_PRECISE float leastStep = TORUS_LEAST_REACH * lastStep;
     bool holds = false;
     if (TORUS_EXACT) {
@@ -203,7 +203,7 @@ void torus_step(const torus_Quartic quartic, float left, inout torus_March march
     TORUS_PRECISE float next = u + x;
     TORUS_PRECISE float further = max(2.0 * x, leastStep);
     TORUS_PRECISE float after = x + (lastStep + TORUS_END_PADDING);
-    march.certain = crosses && after <= left;
+    march.certain = crosses && p.g > quartic.blur && after <= left;
     march.refines = holds || crosses;
     march.u = holds ? u : next;
     march.reach = march.refines ? reach : further;
@@ -217,15 +217,13 @@ void torus_search(const torus_Quartic quartic, float upper, int steps, inout tor
         TORUS_ON_STEP
         // Nothing is to be found where the inner sheet of a spindle is. Who comes there from outside is past a crossing,
         // at a dimple's tip.
-        float limit = upper;
         bool late = false;
         if (quartic.innerEnd > 0.0) {
             bool within = march.u >= -quartic.innerEnd && march.u < quartic.innerEnd;
             late = within && march.side > 0.0;
             march.u = within && !late ? quartic.innerEnd : march.u;
-            limit = march.u < -quartic.innerEnd ? min(-quartic.innerEnd, upper) : upper;
         }
-        TORUS_PRECISE float left = late ? 0.0 : limit - march.u;
+        TORUS_PRECISE float left = late ? 0.0 : upper - march.u;
         march.reach = min(march.reach, left);
         torus_step(quartic, left, march);
         march.refines = march.refines || late;

@@ -24,7 +24,8 @@
 #define TORUS_AXIS_STEP 0.25
 // A repeated refinement takes steps up to where the third derivative is this part of the slope.
 #define TORUS_LARGE_ORDER 0.125
-// A step that does not matter, in units; and a small one, if it only follows the rounding of G, in r over the half slope.
+// A step that does not matter, in units; at a horn's tip G underflows before it is all rounding. And a small one, if it
+// only follows the rounding of G, in r over the half slope.
 #define TORUS_TINY_STEP 9.313225746e-10
 #define TORUS_SMALL_STEP 1.0e-6
 #define TORUS_TINY_VALUE 5.9604644775e-14
