@@ -17,7 +17,8 @@ IsaRow row(const char* method, std::uint64_t instructions, std::uint64_t registe
             {{"Instructions", instructions},
              {"VGPRs", registers},
              {"Spilled VGPRs", 0},
-             {"Scratch size", scratch}}};
+             {"Scratch size", scratch}},
+            1.25};
 }
 
 TEST(BenchIsa, HoldsTheAims) {
@@ -53,6 +54,7 @@ TEST(BenchIsa, WritesEveryStatisticAsJson) {
     EXPECT_EQ(table.at("rows").at(0).at("method"), "raytorus");
     EXPECT_EQ(table.at("rows").at(0).at("query"), "nearest");
     EXPECT_EQ(table.at("rows").at(0).at("VGPRs"), 40);
+    EXPECT_EQ(table.at("rows").at(0).at("compileMs"), 1.25);
 }
 
 }  // namespace

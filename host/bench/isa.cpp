@@ -7,8 +7,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "bench/kernel.hpp"
@@ -76,10 +78,10 @@ std::uint64_t valueOf(const VkPipelineExecutableStatisticKHR& statistic) {
     }
 }
 
-using Statistics = std::vector<std::pair<std::string, std::uint64_t>>;
+constexpr int compilations = 5;
 
-Statistics count(gpu::Context& context, std::span<const std::uint32_t> words, const std::string& name,
-                 std::uint32_t constant) {
+IsaRow count(gpu::Context& context, std::span<const std::uint32_t> words, const std::string& name,
+             std::uint32_t constant) {
     gpu::PipelineLayoutInfo info;
     info.bindings = {{TRACE_BINDING_RAYS, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
                      {TRACE_BINDING_HITS, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}};
@@ -87,7 +89,15 @@ Statistics count(gpu::Context& context, std::span<const std::uint32_t> words, co
     info.specialization = {constant};
     info.flags = VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR;
     const gpu::ShaderModule shader(context, words, name);
-    const gpu::Pipeline pipeline = gpu::makeComputePipeline(context, shader, info);
+    IsaRow row;
+    gpu::Pipeline pipeline = gpu::makeComputePipeline(context, shader, info);
+    row.compileMs = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < compilations; ++i) {
+        const auto start = std::chrono::steady_clock::now();
+        pipeline = gpu::makeComputePipeline(context, shader, info);
+        const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+        row.compileMs = std::min(row.compileMs, taken.count());
+    }
     VkPipelineExecutableInfoKHR executable{VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_INFO_KHR};
     executable.pipeline = pipeline.get();
     const auto list = functionOf<PFN_vkGetPipelineExecutableStatisticsKHR>(
@@ -98,17 +108,18 @@ Statistics count(gpu::Context& context, std::span<const std::uint32_t> words, co
                                                        {VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_STATISTIC_KHR});
     gpu::check(list(context.device(), &executable, &number, told.data()),
                "vkGetPipelineExecutableStatisticsKHR");
-    Statistics statistics;
     for (const VkPipelineExecutableStatisticKHR& statistic : told) {
-        statistics.emplace_back(statistic.name, valueOf(statistic));
+        row.statistics.emplace_back(statistic.name, valueOf(statistic));
     }
-    return statistics;
+    return row;
 }
 
 IsaRow countOne(gpu::Context& context, const TimedMethod& method, render::Query query) {
-    return {method.name, query,
-            count(context, method.shaders.load("one_ray.comp"), "one_ray.comp of " + method.name,
-                  queryConstant(query))};
+    IsaRow row = count(context, method.shaders.load("one_ray.comp"), "one_ray.comp of " + method.name,
+                       queryConstant(query));
+    row.method = method.name;
+    row.query = query;
+    return row;
 }
 
 std::string cellOf(const IsaRow& row, std::string_view statistic) {
@@ -125,11 +136,11 @@ std::string rowText(const IsaRow& row, const IsaRow& ours) {
     const auto our = ours.of("Instructions");
     const double ratio =
         mine && our && *mine > 0 ? static_cast<double>(*our) / static_cast<double>(*mine) : 0.0;
-    return fmt::format("  {:<21} {:>7} {:>7.2f} {:>6} {:>6} {:>7} {:>8} {:>9} {:>8} {:>8} {:>8}\n",
+    return fmt::format("  {:<21} {:>7} {:>7.2f} {:>6} {:>6} {:>7} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8.1f}\n",
                        row.method, cellOf(row, "Instructions"), ratio, cellOf(row, "VGPRs"),
                        cellOf(row, "SGPRs"), spillsOf(row), cellOf(row, "Scratch size"),
                        cellOf(row, "Branches"), cellOf(row, "Latency"), cellOf(row, "Inverse Throughput"),
-                       cellOf(row, "Code size"));
+                       cellOf(row, "Code size"), row.compileMs);
 }
 
 const IsaRow* findRow(std::span<const IsaRow> rows, render::Query query, const char* method) {
@@ -171,6 +182,9 @@ std::optional<std::uint64_t> IsaRow::of(std::string_view statistic) const {
 
 void chooseNullDevice(const std::string& family) {
     setenv("RADV_FORCE_FAMILY", family.c_str(), 1);
+    // Each compilation is timed: none comes from a cache.
+    const char* debug = std::getenv("RADV_DEBUG");
+    setenv("RADV_DEBUG", debug != nullptr ? fmt::format("{},nocache", debug).c_str() : "nocache", 1);
     if (std::getenv("VK_DRIVER_FILES") == nullptr && std::getenv("VK_ICD_FILENAMES") == nullptr) {
         const auto radv = findRadv();
         if (!radv) {
@@ -207,8 +221,7 @@ std::vector<IsaRow> countInstructions(gpu::Context& context, std::span<const Tim
 
 std::uint64_t countInstructions(gpu::Context& context, std::span<const std::uint32_t> words,
                                 const std::string& name, std::uint32_t constant) {
-    const IsaRow row{name, render::Query::Nearest, count(context, words, name, constant)};
-    return row.of("Instructions").value_or(0);
+    return count(context, words, name, constant).of("Instructions").value_or(0);
 }
 
 std::string isaText(std::span<const IsaRow> rows) {
@@ -218,9 +231,10 @@ std::string isaText(std::span<const IsaRow> rows) {
         if (ours == nullptr) {
             continue;
         }
-        text += fmt::format("{}{}\n  {:<21} {:>7} {:>7} {:>6} {:>6} {:>7} {:>8} {:>9} {:>8} {:>8} {:>8}\n",
-                            text.empty() ? "" : "\n", nameOf(query), "method", "instr.", "ours/it", "VGPRs",
-                            "SGPRs", "spilled", "scratch", "branches", "latency", "inv. tp", "bytes");
+        text +=
+            fmt::format("{}{}\n  {:<21} {:>7} {:>7} {:>6} {:>6} {:>7} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8}\n",
+                        text.empty() ? "" : "\n", nameOf(query), "method", "instr.", "ours/it", "VGPRs",
+                        "SGPRs", "spilled", "scratch", "branches", "latency", "inv. tp", "bytes", "comp. ms");
         for (const IsaRow& row : rows) {
             text += row.query == query ? rowText(row, *ours) : "";
         }
@@ -239,6 +253,7 @@ std::string isaJson(const gpu::DeviceInfo& device, std::span<const IsaRow> rows)
         nlohmann::ordered_json one;
         one["method"] = row.method;
         one["query"] = nameOf(row.query);
+        one["compileMs"] = row.compileMs;
         for (const auto& [name, value] : row.statistics) {
             one[name] = value;
         }

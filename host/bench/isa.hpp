@@ -19,6 +19,8 @@ struct IsaRow {
     std::string method;
     render::Query query = render::Query::Nearest;
     std::vector<std::pair<std::string, std::uint64_t>> statistics;  ///< by the driver's names
+    double compileMs =
+        0.0;  ///< milliseconds in which the driver makes the pipeline, the fastest of some times
 
     /// Nothing if the driver does not count it.
     [[nodiscard]] std::optional<std::uint64_t> of(std::string_view statistic) const;
@@ -40,7 +42,7 @@ std::uint64_t countInstructions(gpu::Context& context, std::span<const std::uint
 std::string isaText(std::span<const IsaRow> rows);
 
 /// {"format": "raytorus-bench-isa", "version": 1, "device": ..., "driver": ..., "rows": [{"method": ...,
-/// "query": ..., "Instructions": 1, ...}, ...]}
+/// "query": ..., "compileMs": 1.5, "Instructions": 1, ...}, ...]}
 std::string isaJson(const gpu::DeviceInfo& device, std::span<const IsaRow> rows);
 
 }  // namespace raytorus::bench
