@@ -36,7 +36,7 @@ ${to_json}mkdir \"$report\"
 echo '{\"failed\": 0}' >\"$report/report.json\"
 echo page >\"$report/index.html\"
 echo all are right")
-    stub(bin/raytorus-bench "${log}[ \"$1\" != --help ] || { echo '  --json FILE'; exit; }
+    stub(bin/raytorus-bench "${log}
 ${to_json}echo '{\"format\": \"b\"}' >\"$json\"")
 endfunction()
 
@@ -88,14 +88,11 @@ holds("${json}" OFF short)
 logged("raytorus-verify --rays 501 --seed 9 --json [^\n]* --device G  7\n" TRUE)
 logged("raytorus golden check --folder ${bundle}/golden --report [^\n]* --tolerance-factor 1 --device G  7\n" TRUE)
 logged("raytorus-bench --quick --json [^\n]* --device G  7\n" TRUE)
-logged("--groups" FALSE)
+logged("raytorus-bench --groups --json [^\n]* --device G  7\n" TRUE)
 
-# Ten million rays unless told otherwise, fresh ones; the groups where the benchmark has them.
+# Ten million rays unless told otherwise, fresh ones.
 begin()
-file(READ "${bundle}/bin/raytorus-bench" text)
-string(REPLACE "--json FILE'" "--json FILE\n  --groups'" text "${text}")
-file(WRITE "${bundle}/bin/raytorus-bench" "${text}")
-started(0 "Looking at groups" "${bundle}/run" -o all.json)
+started(0 "what groups of 8, 32 and 64 lanes pay is counted" "${bundle}/run" -o all.json)
 read_json(all.json)
 holds("${json}" 10000000 rays)
 holds("${json}" b groups format)
@@ -110,7 +107,7 @@ fails(raytorus-bench 10 "--quick")
 set(words "verify failed with exit code 2, after [0-9]+ s: it is 2\n.*")
 string(APPEND words "  bench failed with exit code 10, after [0-9]+ s: it is 10\n.*\nrun: not every step was right")
 started(2 "${words}" "${bundle}/run" -o bad.json)
-left(bad-bench.txt bad-golden.html bad-golden.txt bad-verify.txt bad.json)
+left(bad-bench.txt bad-golden.html bad-golden.txt bad-groups.txt bad-verify.txt bad.json)
 read_json(bad.json)
 holds("${json}" 2 exitCode)
 holds("${json}" 2 steps 0 exitCode)
