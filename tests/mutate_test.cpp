@@ -73,6 +73,7 @@ TEST(Mutations, NoneLeavesTheBuildsOwnShaders) {
     for (const char* shader : {"fullscreen.vert", "scene.frag", "scene.comp", "trace.comp", "probe.comp"}) {
         EXPECT_FALSE(unchanged.changes(shader)) << shader;
     }
+    EXPECT_FALSE(unchanged.changesFast());
 }
 
 // The goldens' own tests show the same of the built-in shaders, which are the unchanged ones.
@@ -81,7 +82,7 @@ TEST(Mutations, NoneIsCaughtByNumbers) {
     const Mutant unchanged(nullptr, options.folder);
     const auto log = std::make_shared<gpu::ValidationLog>();
     gpu::Context context(options.device, log);
-    EXPECT_EQ(caughtByNumbers(context, unchanged.shaders(), options.rays), std::nullopt);
+    EXPECT_EQ(caughtByNumbers(context, unchanged, options.rays), std::nullopt);
     EXPECT_TRUE(log->messages().empty());
 }
 

@@ -5,6 +5,7 @@ find_package(Vulkan REQUIRED COMPONENTS glslangValidator)
 set(mutations
     mutate/arithmetic_mutations.cpp
     mutate/contract_mutations.cpp
+    mutate/fast_mutations.cpp
     mutate/hit_mutations.cpp
     mutate/scene_mutations.cpp
     mutate/shading_mutations.cpp
@@ -32,7 +33,7 @@ target_compile_definitions(raytorus_mutate PRIVATE RAYTORUS_SOURCE_DIR="${PROJEC
     RAYTORUS_GLSLANG="$<TARGET_FILE:Vulkan::glslangValidator>")
 target_link_libraries(raytorus_mutate
     PUBLIC raytorus::golden raytorus::verify
-    PRIVATE raytorus_warnings raytorus_test_shaders nlohmann_json::nlohmann_json)
+    PRIVATE raytorus::methods raytorus_warnings raytorus_test_shaders nlohmann_json::nlohmann_json)
 
 add_executable(raytorus-mutate mutate/main.cpp)
 target_link_libraries(raytorus-mutate PRIVATE raytorus_mutate raytorus::cli raytorus_warnings)

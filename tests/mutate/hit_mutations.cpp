@@ -54,8 +54,6 @@ constexpr Mutation rows[] = {
      "the same, by a factor", Shows::InNumbers},
     {"good-though-late", refine, "good = tiny || edge || march.known ||", "good = tiny || edge ||",
      "a crossing that there must be is refined for ever", Shows::InNumbers},
-    {"tiny-step-never", refine, "size <= TORUS_TINY_STEP || (size", "(size",
-     "a step that does not matter is repeated", Shows::InNumbers},
     {"tiny-value-never", refine, " || (size <= TORUS_SMALL_STEP && value <= tinyValue)", "",
      "a step that follows rounding is repeated", Shows::InNumbers},
     {"tiny-value-anywhere", refine, "(size <= TORUS_SMALL_STEP && value <= tinyValue)", "value <= tinyValue",

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "bench/methods/methods.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "raytorus_test_shaders.hpp"
@@ -15,11 +16,16 @@ namespace fs = std::filesystem;
 
 const fs::path sourceFolder = RAYTORUS_SOURCE_DIR;
 
-// The command of shaders/CompileShader.cmake.
-void compile(const std::string& name, const fs::path& source, const fs::path& folder, const char* mutation) {
-    const test::ProgramResult result = test::runProgram(
-        RAYTORUS_GLSLANG, {"--quiet", "--target-env", "vulkan1.3", "-I" + (folder / "shaders").string(), "-o",
-                           (folder / (name + ".spv")).string(), source.string()});
+constexpr const char* fastFolder = "fast";
+
+// The command of shaders/CompileShader.cmake, with a folder for the output and a -D or none.
+void compile(const fs::path& source, const fs::path& include, const fs::path& output, const char* mutation,
+             const std::vector<std::string>& define = {}) {
+    const std::string name = source.filename().string();
+    std::vector<std::string> arguments = {"--quiet", "--target-env", "vulkan1.3", "-I" + include.string()};
+    arguments.insert(arguments.end(), define.begin(), define.end());
+    arguments.insert(arguments.end(), {"-o", (output / (name + ".spv")).string(), source.string()});
+    const test::ProgramResult result = test::runProgram(RAYTORUS_GLSLANG, arguments);
     if (result.exitCode != 0) {
         throw Error(ExitCode::Shader, fmt::format("mutation {}: {} does not compile: {}", mutation, name,
                                                   result.out.substr(0, result.out.find('\n'))));
@@ -28,9 +34,9 @@ void compile(const std::string& name, const fs::path& source, const fs::path& fo
 
 }  // namespace
 
-Mutant::Mutant(const Mutation* mutation, fs::path folder) : source(folder) {
+Mutant::Mutant(const Mutation* mutation, fs::path folder) : source(folder), fast(folder / fastFolder) {
     fs::remove_all(folder);
-    fs::create_directories(folder);
+    fs::create_directories(folder / fastFolder);
     fs::copy(sourceFolder / "shaders", folder / "shaders", fs::copy_options::recursive);
     if (mutation != nullptr) {
         const fs::path file = folder / "shaders" / mutation->file;
@@ -38,16 +44,22 @@ Mutant::Mutant(const Mutation* mutation, fs::path folder) : source(folder) {
         writeFile(file, std::as_bytes(std::span(text)));
     }
     const char* name = mutation != nullptr ? mutation->name : "none";
+    const fs::path shaders = folder / "shaders";
     for (const char* shader : {"fullscreen.vert", "scene.frag", "scene.comp", "trace.comp"}) {
-        compile(shader, folder / "shaders" / shader, folder, name);
+        compile(shaders / shader, shaders, folder, name);
     }
-    compile("probe.comp", sourceFolder / "tests" / "probe.comp", folder, name);
+    compile(sourceFolder / "tests" / "probe.comp", shaders, folder, name);
+    compile(shaders / "trace.comp", shaders, folder / fastFolder, name, {"-DTORUS_FAST"});
 }
 
 bool Mutant::changes(const std::string& shader) const {
     const render::ShaderSource unchanged =
         shader == "probe.comp" ? render::ShaderSource(test_shaders::find) : render::ShaderSource();
     return source.load(shader) != unchanged.load(shader);
+}
+
+bool Mutant::changesFast() const {
+    return fast.load("trace.comp") != findMethod("raytorus-fast")->shaders.load("trace.comp");
 }
 
 }  // namespace raytorus::mutate

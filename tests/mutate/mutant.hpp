@@ -18,12 +18,16 @@ public:
 
     /// All the host's shaders, and probe.comp.
     [[nodiscard]] const render::ShaderSource& shaders() const { return source; }
+    /// trace.comp with TORUS_FAST.
+    [[nodiscard]] const render::ShaderSource& fastShaders() const { return fast; }
 
     /// Whether the mutation changed this shader; where it has not, there is nothing to test.
     [[nodiscard]] bool changes(const std::string& shader) const;
+    [[nodiscard]] bool changesFast() const;
 
 private:
     render::ShaderSource source;
+    render::ShaderSource fast;
 };
 
 }  // namespace raytorus::mutate

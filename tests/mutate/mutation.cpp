@@ -11,8 +11,9 @@ namespace raytorus::mutate {
 
 std::vector<Mutation> allMutations() {
     std::vector<Mutation> all;
-    for (const auto part : {shadingMutations(), sceneMutations(), solverMutations(), hitMutations(),
-                            arithmeticMutations(), surfaceMutations(), contractMutations()}) {
+    for (const auto part :
+         {shadingMutations(), sceneMutations(), solverMutations(), hitMutations(), fastMutations(),
+          arithmeticMutations(), surfaceMutations(), contractMutations()}) {
         all.insert(all.end(), part.begin(), part.end());
     }
     return all;

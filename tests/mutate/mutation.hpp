@@ -29,6 +29,7 @@ std::span<const Mutation> shadingMutations();
 std::span<const Mutation> sceneMutations();
 std::span<const Mutation> solverMutations();
 std::span<const Mutation> hitMutations();
+std::span<const Mutation> fastMutations();
 std::span<const Mutation> arithmeticMutations();
 std::span<const Mutation> surfaceMutations();
 std::span<const Mutation> contractMutations();

@@ -33,9 +33,9 @@ Outcome outcomeOf(const Mutation& mutation, GoldenSuite& goldens, const RunOptio
     Outcome outcome{mutation, {}, {}, {}};
     outcome.goldens.asked =
         mutation.shows == Shows::InPictures && (mutant.changes("scene.frag") || mutant.changes("scene.comp"));
-    const Asked asked{mutant.changes("trace.comp"), mutant.changes("probe.comp"),
+    const Asked asked{mutant.changes("trace.comp"), mutant.changesFast(), mutant.changes("probe.comp"),
                       mutant.changes("scene.frag")};
-    outcome.numbers.asked = asked.rays || asked.surface || asked.pictures;
+    outcome.numbers.asked = asked.any();
     if (!outcome.goldens.asked && !outcome.numbers.asked) {
         throw Error(ExitCode::Internal,
                     fmt::format("mutation {}: no shader that a suite runs is changed", mutation.name));
@@ -47,7 +47,7 @@ Outcome outcomeOf(const Mutation& mutation, GoldenSuite& goldens, const RunOptio
             outcome.bits = verdict.bits;
         }
         if (outcome.numbers.asked) {
-            outcome.numbers.caught = caughtByNumbers(context, mutant.shaders(), options.rays, asked);
+            outcome.numbers.caught = caughtByNumbers(context, mutant, options.rays, asked);
         }
     });
     return outcome;
@@ -60,7 +60,7 @@ void requireUnchangedPasses(GoldenSuite& goldens, const RunOptions& options) {
     onDevice(options, [&](gpu::Context& context) {
         const GoldenVerdict pictures = goldens.caught(context, unchanged.shaders());
         for (const auto& caught :
-             {pictures.truth, pictures.bits, caughtByNumbers(context, unchanged.shaders(), options.rays)}) {
+             {pictures.truth, pictures.bits, caughtByNumbers(context, unchanged, options.rays)}) {
             if (caught) {
                 throw Error(ExitCode::Internal,
                             fmt::format("the unchanged shaders are caught by {}", *caught));

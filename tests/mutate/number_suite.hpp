@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The numeric tests as judges of changed shaders: the contract's checks, the surface functions' checks, and
-// the verifier's bars on rays of every class.
+// the verifier's bars of both tiers on rays of every class.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 #include <string>
 
 #include "gpu/context.hpp"
-#include "render/shader_source.hpp"
+#include "mutate/mutant.hpp"
 
 namespace raytorus::mutate {
 
@@ -17,14 +17,19 @@ struct RayChoice {
     std::uint64_t perCell = 500;
 };
 
-/// The first check that fails with these shaders, and what it says; nothing if each passes. Without a
-/// mutant's change in trace.comp, probe.comp or scene.frag the checks of that shader are left out.
+/// Without a mutant's change in trace.comp (with TORUS_FAST: fastRays), probe.comp or scene.frag the checks
+/// of that shader are left out.
 struct Asked {
     bool rays = true;
+    bool fastRays = true;
     bool surface = true;
     bool pictures = true;
+
+    [[nodiscard]] bool any() const { return rays || fastRays || surface || pictures; }
 };
-std::optional<std::string> caughtByNumbers(gpu::Context& context, const render::ShaderSource& shaders,
-                                           const RayChoice& rays, const Asked& asked = {});
+
+/// The first check that fails with the mutant's shaders, and what it says; nothing if each passes.
+std::optional<std::string> caughtByNumbers(gpu::Context& context, const Mutant& mutant, const RayChoice& rays,
+                                           const Asked& asked = {});
 
 }  // namespace raytorus::mutate
