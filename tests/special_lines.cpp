@@ -244,6 +244,26 @@ std::vector<SpecialLines> runAlongThinTubes() {
             {{1, 0x1.0c6f7ap-20F}, throughHairs}};
 }
 
+// Nearest to the axis G has no third derivative: a parabola that is good to third order may be long there.
+// The start is within rounding of the surface, so that the refinement begins there.
+std::vector<SpecialLines> leaveThinTubesWhereTheyAreNearestToTheAxis() {
+    std::vector<SpecialLines> lines;
+    Ray leaving = along({0x1.f09788p-1F, 0x1.f58de8p-3F, 0x1.ebb4aep-11F},
+                        {-0x1.bd4604p-3F, 0x1.b8df28p-1F, -0x1.d6ad7cp-2F});
+    leaving.tMin = 0x1.0c6f7ap-20F;
+    addLines(lines, {1, 0.001F}, {leaving});
+    for (const float minorRadius : {0.001F, 0.002F, 0.004F}) {
+        std::vector<Ray> rays;
+        for (const float rise : {0.5F, 0.25F, 0.125F}) {
+            Ray ray = along({1, 0, minorRadius}, {0, 1, -rise});
+            ray.tMin = 0.002F * minorRadius;
+            rays.push_back(ray);
+        }
+        addLines(lines, {1, minorRadius}, rays);
+    }
+    return lines;
+}
+
 // Crossings whose sine goes from 1/256 to 1/8, seen from as far as their refinement begins at the origin
 // (ray.glsl, TORUS_FAR): there a rounding counts the more, the flatter the crossing is.
 std::vector<SpecialLines> crossAtSmallAngles() {
@@ -294,6 +314,8 @@ std::span<const SpecialLinesOf> allSpecialLines() {
         SpecialLinesOf{"lines that end beside a crossing", endBesideACrossing},
         SpecialLinesOf{"lines that run along thin tubes", runAlongThinTubes},
         SpecialLinesOf{"lines that cross at small angles", crossAtSmallAngles},
+        SpecialLinesOf{"lines that leave thin tubes where they are nearest to the axis",
+                       leaveThinTubesWhereTheyAreNearestToTheAxis},
     };
     return all;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Lines in special positions: exact tangents and their neighbours, Villarceau's planes, the axis, the tip of
 // a horn, the dimples of a spindle, hits whose distances are decades apart, ends beside a crossing, thin
-// tubes from end to end, small angles. Each is judged by the reference (hit_match.hpp), however near to a
+// tubes from end to end and across, small angles. Each is judged by the reference (hit_match.hpp), however near to a
 // tangent; an exact tangent may have both its hits or neither, but the functions must agree.
 #pragma once
 
@@ -29,6 +29,7 @@ std::vector<SpecialLines> haveHitsManyDecadesApartOrInOneFloat();
 std::vector<SpecialLines> endBesideACrossing();
 std::vector<SpecialLines> runAlongThinTubes();
 std::vector<SpecialLines> crossAtSmallAngles();
+std::vector<SpecialLines> leaveThinTubesWhereTheyAreNearestToTheAxis();
 
 struct SpecialLinesOf {
     const char* name;  ///< "lines that touch the equators"

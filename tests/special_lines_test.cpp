@@ -62,5 +62,9 @@ TEST_F(LinesInSpecialPositions, CrossAtSmallAngles) {
     expectRight(crossAtSmallAngles());
 }
 
+TEST_F(LinesInSpecialPositions, LeaveThinTubesWhereTheyAreNearestToTheAxis) {
+    expectRight(leaveThinTubesWhereTheyAreNearestToTheAxis());
+}
+
 }  // namespace
 }  // namespace raytorus::test

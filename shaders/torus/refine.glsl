@@ -16,8 +16,8 @@
 // The parabola is good for steps up to this part of the half slope over r, in which the slope's rounding moves the root by
 // less than a sixteenth of the rounding of a position: the slope is known to some 2^-22 r.
 #define TORUS_LONG_STEP 0.015625
-// ... and up to where the third derivative, which it leaves out, moves the root by more than this, in units; of a t below
-// one unit by this part of t, for t has more digits there, but for those below a sixteenth.
+// ... and up to where the third and fourth derivatives, which it leaves out, move the root by more than this, in units; of
+// a t below one unit by this part of t, for t has more digits there, but for those below a sixteenth.
 #define TORUS_THIRD_ORDER 7.450580597e-9
 #define TORUS_SHORT_T 0.0625
 // ... and only on this side of the axis, at which rho has an edge.
@@ -44,6 +44,7 @@ struct torus_Point {
     float halfSlope;   // G' / 2
     float bend;        // |direction|^2 - G'' / 2
     float sixthThird;  // G''' / 6: all of it is the bend of rho, which is sharp near the axis
+    float fourth;      // 4 G'''' / 24 where the line is nearest to the axis, and G''' is 0; less elsewhere
 };
 
 torus_Point torus_pointAt(const torus_Line line, float u) {
@@ -71,9 +72,12 @@ torus_Point torus_pointAt(const torus_Line line, float u) {
     TORUS_PRECISE float rhoSlope = along * invRho;
     TORUS_PRECISE float halfSlope = rhoSlope * q + rise;
     TORUS_PRECISE float across = (p.x * d.y - p.y * d.x) * invRho;
-    TORUS_PRECISE float bend = R * ((across * across) * invRho);
-    TORUS_PRECISE float sixthThird = bend * rhoSlope * invRho;
-    return torus_Point(p, low, shift, shiftLow, rho, q, tube, along, rise, halfSlope, bend, sixthThird);
+    TORUS_PRECISE float rhoBend = (across * across) * invRho;
+    TORUS_PRECISE float bend = R * rhoBend;
+    TORUS_PRECISE float bendPerRho = bend * invRho;
+    TORUS_PRECISE float sixthThird = bendPerRho * rhoSlope;
+    TORUS_PRECISE float fourth = bendPerRho * rhoBend;
+    return torus_Point(p, low, shift, shiftLow, rho, q, tube, along, rise, halfSlope, bend, sixthThird, fourth);
 }
 
 // f and half its slope at the point, which G makes exact.
@@ -117,7 +121,7 @@ torus_Crossing torus_refine(const torus_Line line, inout torus_March march) {
     x = edge ? 0.0 : x;
     TORUS_PRECISE float rest = point.shiftLow + x;
     TORUS_PRECISE float t = (line.baseShift + point.shift) + rest;
-    TORUS_PRECISE float order = abs(point.sixthThird * x * x * x);
+    TORUS_PRECISE float order = (abs(point.sixthThird) + size * point.fourth) * (size * size * size);
     TORUS_PRECISE float smallOrder = TORUS_THIRD_ORDER * root * clamp(abs(t), TORUS_SHORT_T, 1.0);
     TORUS_PRECISE float relativeSize = size * (r * line.length2);
     TORUS_PRECISE float longStep = TORUS_LONG_STEP * abs(s);
