@@ -1,132 +1,133 @@
 // SPDX-License-Identifier: MIT
 #include "core/file.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cerrno>
-#include <cstring>
-#include <random>
 #include <system_error>
+#include <utility>
 
 #include "core/error.hpp"
 
 namespace raytorus {
-namespace {
-
 namespace fs = std::filesystem;
 
-[[noreturn]] void failReading(const fs::path& path, std::string_view reason) {
+void failReading(const fs::path& path, std::string_view reason) {
     throw Error(ExitCode::File, fmt::format("cannot read \"{}\": {}", path.string(), reason));
 }
 
-[[noreturn]] void failWriting(const fs::path& path, std::string_view reason) {
+void failWriting(const fs::path& path, std::string_view reason) {
     throw Error(ExitCode::File, fmt::format("cannot write \"{}\": {}", path.string(), reason));
 }
 
-// The system's words ("Permission denied") in the middle of a sentence.
 std::string systemReason(int code) {
     std::string reason = code != 0 ? std::generic_category().message(code) : "the system gives no reason";
     reason.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(reason.front())));
     return reason;
 }
 
-// Unique among programs that write the same file at once. Hidden, and in the same folder so that renaming is
-// atomic.
-fs::path temporaryBeside(const fs::path& path) {
-    std::random_device random;
-    return path.parent_path() / fmt::format(".{}.{:08x}{:08x}", path.filename().string(), random(), random());
-}
-
-}  // namespace
-
-std::ifstream openForReading(const fs::path& path) {
+InputFile::InputFile(fs::path path) : name(std::move(path)) {
     std::error_code problem;
-    const fs::file_status status = fs::status(path, problem);
+    const fs::file_status status = fs::status(name, problem);
     if (status.type() == fs::file_type::not_found) {
-        failReading(path, "there is no such file");
+        failReading(name, "there is no such file");
     }
     if (fs::is_directory(status)) {
-        failReading(path, "it is a directory");
+        failReading(name, "it is a directory");
     }
     // A pipe would make us wait, a device could go on for ever.
     if (fs::exists(status) && !fs::is_regular_file(status)) {
-        failReading(path, "it is not a regular file");
+        failReading(name, "it is not a regular file");
     }
-    errno = 0;
-    std::ifstream file(path, std::ios::binary);
-    if (!file) {
-        failReading(path, systemReason(errno));
+    file = open(name.c_str(), O_RDONLY | O_CLOEXEC);
+    struct stat opened {};
+    if (file < 0 || fstat(file, &opened) != 0) {
+        failReading(name, systemReason(errno));
     }
-    return file;
+    bytes = static_cast<std::uint64_t>(std::max<off_t>(opened.st_size, 0));
+}
+
+InputFile::~InputFile() {
+    if (file >= 0) {
+        close(file);
+    }
+}
+
+std::size_t InputFile::read(std::span<std::byte> room) {
+    std::size_t done = 0;
+    while (done < room.size()) {
+        const ssize_t got = ::read(file, room.data() + done, room.size() - done);
+        if (got == 0) {
+            break;
+        }
+        if (got < 0 && errno != EINTR) {
+            failReading(name, systemReason(errno));
+        }
+        done += static_cast<std::size_t>(std::max<ssize_t>(got, 0));
+    }
+    return done;
 }
 
 std::vector<std::byte> readFile(const fs::path& path) {
-    std::ifstream file = openForReading(path);
-    errno = 0;
-    file.seekg(0, std::ios::end);
-    const std::streamoff size = file.tellg();
-    std::vector<std::byte> bytes(static_cast<std::size_t>(size > 0 ? size : 0));
-    file.seekg(0);
-    file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    if (!file) {
-        failReading(path, systemReason(errno));
+    InputFile file(path);
+    // One byte more than the file is said to have shows that it ends there.
+    std::vector<std::byte> content(file.size() + 1);
+    std::size_t done = 0;
+    while (true) {
+        done += file.read(std::span(content).subspan(done));
+        if (done < content.size()) {
+            content.resize(done);
+            return content;
+        }
+        content.resize(2 * content.size());
     }
-    return bytes;
 }
 
 std::string readTextFile(const fs::path& path) {
-    const std::vector<std::byte> bytes = readFile(path);
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+    const std::vector<std::byte> content = readFile(path);
+    return {reinterpret_cast<const char*>(content.data()), content.size()};
 }
 
-OutputFile::OutputFile(fs::path path) : target(std::move(path)), temporary(temporaryBeside(target)) {
-    std::error_code problem;
-    if (fs::is_directory(target, problem)) {
-        failWriting(target, "it is a directory");
-    }
-    // To rename over a device or a pipe would put a file in its place.
-    const fs::file_status status = fs::status(target, problem);
-    if (fs::exists(status) && !fs::is_regular_file(status)) {
-        failWriting(target, "it is not a regular file");
-    }
-    errno = 0;
-    stream.open(temporary, std::ios::binary);
-    if (!stream) {
-        failWriting(target, systemReason(errno));
-    }
-}
+LineReader::LineReader(const fs::path& path) : file(path) {}
 
-OutputFile::~OutputFile() {
-    std::error_code ignored;
-    fs::remove(temporary, ignored);  // after commit() there is nothing left to remove
-}
-
-void OutputFile::write(std::span<const std::byte> bytes) {
-    errno = 0;
-    stream.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    if (!stream) {
-        failWriting(target, systemReason(errno));
-    }
-}
-
-void OutputFile::commit() {
-    errno = 0;
-    stream.close();
-    if (!stream) {
-        failWriting(target, systemReason(errno));
-    }
-    std::error_code problem;
-    fs::rename(temporary, target, problem);
-    if (problem) {
-        failWriting(target, systemReason(problem.value()));
+std::optional<std::string_view> LineReader::next() {
+    while (true) {
+        const std::string_view rest = std::string_view(buffer).substr(begin);
+        const std::size_t end = rest.find('\n', searched);
+        if (end != std::string_view::npos || (ended && !rest.empty())) {
+            const std::string_view line = rest.substr(0, end);
+            begin += end != std::string_view::npos ? end + 1 : rest.size();
+            searched = 0;
+            ++count;
+            consumed += line.size() + 1;
+            requireShort(line.size(), count);
+            return line;
+        }
+        if (ended) {
+            return std::nullopt;
+        }
+        requireShort(rest.size(), count + 1);
+        searched = rest.size();
+        buffer.erase(0, begin);
+        begin = 0;
+        const std::size_t kept = buffer.size();
+        buffer.resize(kept + longestLine);
+        const std::size_t got = file.read(std::as_writable_bytes(std::span(buffer).subspan(kept)));
+        ended = got < longestLine;
+        buffer.resize(kept + got);
     }
 }
 
-void writeFile(const fs::path& path, std::span<const std::byte> bytes) {
-    OutputFile file(path);
-    file.write(bytes);
-    file.commit();
+void LineReader::requireShort(std::size_t length, std::uint64_t line) const {
+    if (length > longestLine) {
+        throw Error(ExitCode::File, fmt::format("\"{}\", line {}: longer than {} bytes", file.path().string(),
+                                                line, longestLine));
+    }
 }
 
 }  // namespace raytorus

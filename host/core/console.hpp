@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// What the programs say, on standard output and standard error.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace raytorus {
+
+/// The text as it may be shown: a terminal obeys some characters, and turns the direction of what follows
+/// others. Those, and noncharacters, become \u001b, and bytes that are no UTF-8 become \xff. Tabs and ends of
+/// lines stay.
+std::string printable(std::string_view text);
+
+/// What a file or a command line holds, for a message: printable on one line, and cut after `most` bytes.
+std::string excerpt(std::string_view text, std::size_t most = 200);
+
+/// To standard output, made printable. Throws Error{File} if it cannot be written.
+void writeOutput(std::string_view text);
+
+/// What was written so far is there. Throws Error{File} if it is not.
+void flushOutput();
+
+/// To standard error, made printable. Where that cannot be written, nobody can be told.
+void writeError(std::string_view text) noexcept;
+
+template <typename... Arguments>
+void print(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    writeOutput(fmt::format(format, std::forward<Arguments>(arguments)...));
+}
+
+}  // namespace raytorus
