@@ -108,6 +108,16 @@ TEST_F(ManifestFolder, EveryFaultOfAFolderIsTold) {
                 {"none", "cannot list"});
 }
 
+TEST_F(ManifestFolder, ANameThatIsNotUtf8CannotBeWritten) {
+    EXPECT_TRUE(jsonCanHold("caf\xc3\xa9 \n\xef\xbf\xbd"));
+    EXPECT_FALSE(jsonCanHold("caf\xe9"));
+    writeManifest(folder / "manifest.json", manifest);
+    writeImage(folder / "caf\xe9.exr", Image(2, 2, {"R"}));
+    expectError([&] { writeManifest(folder / "manifest.json", manifestOf(folder)); }, ExitCode::File,
+                {".exr", "UTF-8"});
+    EXPECT_EQ(readManifest(folder / "manifest.json"), manifest);
+}
+
 TEST_F(ManifestFolder, WhatIsNoManifestIsRefused) {
     const fs::path path = folder / "manifest.json";
     const std::string hash(64, 'a');

@@ -1,57 +1,16 @@
 // SPDX-License-Identifier: MIT
 // raytorus golden: list, check, renew and bits, as people run them.
-#include <fmt/format.h>
+#include "program_golden.hpp"
 
 #include <filesystem>
 
 #include "image/image_io.hpp"
 #include "image/manifest.hpp"
-#include "program_test.hpp"
 
 namespace raytorus::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A folder with two goldens, one of them drawn by other methods as well.
-class ProgramGolden : public ProgramTest {
-protected:
-    ProgramGolden() {
-        fs::create_directories(folder / "golden" / "scenes");
-        write("golden/cases.json",
-              R"({"cases": [{"name": "dark", "catches": "no light", "methods": {"bracketed-newton": 0}},
-                            {"name": "horn", "catches": "the point"}]})");
-        const fs::path source = fs::path(RAYTORUS_SOURCE_DIR) / "golden";
-        for (const char* name : {"dark", "horn"}) {
-            for (const char* file : {"scenes/{}.json", "{}.json", "{}.exr"}) {
-                const std::string path = fmt::format(fmt::runtime(file), name);
-                fs::copy_file(source / path, folder / "golden" / path);
-            }
-        }
-        for (const char* file : {"manifest.json", "bits.json"}) {
-            fs::copy_file(source / file, folder / "golden" / file);
-        }
-    }
-
-    // Checks both cases by name: the manifest knows of more than these.
-    [[nodiscard]] ProgramResult check(const Arguments& options = {}) const {
-        Arguments arguments = {"golden", "check", "dark", "horn"};
-        arguments.insert(arguments.end(), options.begin(), options.end());
-        return run(arguments);
-    }
-
-    void expectCheck(int exitCode, const std::string& words) const {
-        const ProgramResult result = check();
-        EXPECT_EQ(result.exitCode, exitCode) << testing::PrintToString(result);
-        EXPECT_NE(result.out.find(words), std::string::npos) << result.out;
-    }
-
-    void renew(const Arguments& options) const {
-        Arguments arguments = {"golden", "renew", "--reason", "test"};
-        arguments.insert(arguments.end(), options.begin(), options.end());
-        EXPECT_NE(expectOk(arguments, {{"CI", ""}}).find("renewed"), std::string::npos);
-    }
-};
 
 TEST_F(ProgramGolden, ListTellsWhatEachCatches) {
     const std::string list = expectOk({"golden", "list"});
@@ -74,16 +33,16 @@ TEST_F(ProgramGolden, CheckOfTheFolderFindsWhatTheManifestMisses) {
 TEST_F(ProgramGolden, CheckFailsByTheFirstGateThatDoesNotOpen) {
     fs::copy_file(folder / "golden" / "horn.exr", folder / "golden" / "dark.exr",
                   fs::copy_options::overwrite_existing);
-    expectCheck(static_cast<int>(ExitCode::File), "dark_compute: ");
+    expectCheck(ExitCode::File, "dark_compute: ");
 }
 
 TEST_F(ProgramGolden, CheckFindsAnotherPicture) {
     // A scene that has changed is found by its hash; one that was renewed, by its picture.
     write("golden/scenes/dark.json", R"({"image": {"width": 48, "height": 32}, "lights": [],
         "tori": [{"majorRadius": 1, "minorRadius": 0.25}]})");
-    expectCheck(static_cast<int>(ExitCode::File), "the scene has changed");
+    expectCheck(ExitCode::File, "the scene has changed");
     renew({"dark"});
-    expectCheck(static_cast<int>(ExitCode::ComparisonFailed), "other bits");
+    expectCheck(ExitCode::ComparisonFailed, "other bits");
 }
 
 // What breaks a 64th of the tolerances keeps the whole of them.
@@ -96,7 +55,7 @@ TEST_F(ProgramGolden, CheckForgivesADeviceThatRoundsLoosely) {
     }
     image::writeImage(path, truth);
     image::writeManifest(folder / "golden" / "manifest.json", image::manifestOf(folder / "golden"));
-    expectCheck(static_cast<int>(ExitCode::ComparisonFailed), "normal");
+    expectCheck(ExitCode::ComparisonFailed, "normal");
     EXPECT_EQ(check({"--tolerance-factor", "1"}).exitCode, static_cast<int>(ExitCode::ComparisonFailed));
     const ProgramResult loose = check({"--tolerance-factor", "64", "--report", "report"});
     EXPECT_EQ(loose.exitCode, 0) << testing::PrintToString(loose);
@@ -132,7 +91,7 @@ TEST_F(ProgramGolden, RenewNeedsNamesAReasonAndAPerson) {
 
 TEST_F(ProgramGolden, BitsAreThoseThatAreDrawn) {
     write("golden/bits.json", R"({"sha256": {}})");
-    expectCheck(static_cast<int>(ExitCode::ComparisonFailed), "nothing about");
+    expectCheck(ExitCode::ComparisonFailed, "nothing about");
     EXPECT_NE(expectOk({"golden", "bits", "--reason", "test"}, {{"CI", ""}}).find("bits.json"),
               std::string::npos);
     EXPECT_EQ(check().exitCode, 0);

@@ -126,11 +126,11 @@ const square = picture.querySelector('.mark').getBoundingClientRect();
 tell('mark', Math.round((square.left - box.left) / box.width * 48) + ' ' + Math.round((square.top - box.top) / box.height * 32));
 )js");
     EXPECT_EQ(dataOf(dom, "errors"), "(none)");
-    EXPECT_TRUE(
-        isLike(dataOf(dom, "worst"), "raytorus explain --scene golden/scenes/far.json --pixel [0-9]+,[0-9]+"))
+    EXPECT_TRUE(isLike(dataOf(dom, "worst"),
+                       "raytorus explain --scene 'my \\{x\\},\\{y\\}/far.json' --pixel [0-9]+,[0-9]+"))
         << dataOf(dom, "worst");
-    EXPECT_EQ(dataOf(dom, "picked"), "raytorus explain --scene golden/scenes/far.json --pixel 3,30 (3, 30)");
-    EXPECT_EQ(dataOf(dom, "moved"), "raytorus explain --scene golden/scenes/far.json --pixel 0,30");
+    EXPECT_EQ(dataOf(dom, "picked"), "raytorus explain --scene 'my {x},{y}/far.json' --pixel 3,30 (3, 30)");
+    EXPECT_EQ(dataOf(dom, "moved"), "raytorus explain --scene 'my {x},{y}/far.json' --pixel 0,30");
     EXPECT_EQ(dataOf(dom, "mark"), "0 30");
 }
 

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "count_of.hpp"
+#include "expect_error.hpp"
 #include "image/difference_histogram.hpp"
 #include "image/report.hpp"
 #include "report_sample.hpp"
@@ -31,6 +32,18 @@ TEST(ReportData, TheFolderHasThePageAndItsData) {
     EXPECT_EQ(fileText(folder / "index.html"), reportHtml(cases, sampleHeading()));
     EXPECT_EQ(fileText(folder / "report.json"), reportJson(cases, sampleHeading()));
     EXPECT_EQ(fileText(folder / "junit.xml"), reportJunit(cases, sampleHeading()));
+}
+
+TEST(ReportData, AFolderThatCannotHoldTheReportIsKnownBefore) {
+    const auto folder = scratchFolder();
+    prepareReportFolder(folder / "not" / "there");
+    EXPECT_TRUE(std::filesystem::is_empty(folder / "not" / "there"));
+    std::filesystem::create_directories(folder / "page" / "index.html");
+    test::expectError([&] { prepareReportFolder(folder / "page"); }, ExitCode::File,
+                      {"index.html", "directory"});
+    test::writeText(folder / "file", "text");
+    test::expectError([&] { prepareReportFolder(folder / "file"); }, ExitCode::File, {"file/"});
+    EXPECT_EQ(fileText(folder / "file"), "text");
 }
 
 TEST(ReportData, JsonHoldsEveryCase) {

@@ -113,7 +113,7 @@ image::ReportCase caseOf(Sample sample) {
     }
     reported.catches = std::move(sample.catches);
     reported.explainCommand =
-        fmt::format("raytorus explain --scene golden/scenes/{}.json --pixel {{x}},{{y}}", reported.name);
+        fmt::format("raytorus explain --scene 'my {{x}},{{y}}/{}.json' --pixel {{x}},{{y}}", reported.name);
     reported.rerunCommand = fmt::format("raytorus golden check {}", reported.name);
     reported.renewCommand = fmt::format("raytorus golden renew {} --reason \"...\"", reported.name);
     reported.seconds = 0.125;

@@ -158,6 +158,17 @@ TEST(Report, TellsWhoeverReadsItWhatToDo) {
     EXPECT_EQ(countOf(html, ">renew other</code>"), 1u);
 }
 
+TEST(Report, PutsThePixelWhereItBelongsAndNowhereElse) {
+    ReportCase reported = made("same", image(0.5f), image(0.5f));
+    reported.explainCommand = "explain '{x},{y}.json' --pixel {x},{y}";
+    reported.rerunCommand = "test '{x},{y}'";
+    reported.renewCommand = "renew '{x},{y}'";
+    const std::string html = reportHtml(std::vector{reported});
+    EXPECT_EQ(countOf(html, ">explain &#39;{x},{y}.json&#39; --pixel 0,0</code>"), 1u);
+    EXPECT_EQ(countOf(html, "<code>test &#39;{x},{y}&#39;</code>"), 1u);
+    EXPECT_EQ(countOf(html, "<code>renew &#39;{x},{y}&#39;</code>"), 1u);
+}
+
 TEST(Report, FindsThePixelToLookAtFirst) {
     Image expected = image(0.5f, {"R", "G", "B", "id", "margin", "tolerance.color"});
     for (int y = 0; y < expected.height; ++y) {

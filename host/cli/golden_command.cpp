@@ -1,18 +1,26 @@
 // SPDX-License-Identifier: MIT
 // raytorus golden: the golden pictures of a folder listed, checked and renewed.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <map>
 #include <memory>
+#include <new>
+#include <span>
 
 #include "bench/methods/methods.hpp"
 #include "cli/command.hpp"
 #include "cli/device_options.hpp"
 #include "cli/progress.hpp"
+#include "core/console.hpp"
+#include "golden/file_group.hpp"
 #include "golden/golden_check.hpp"
 #include "golden/golden_folder.hpp"
+#include "golden/golden_options.hpp"
 #include "golden/golden_renew.hpp"
 
 namespace raytorus::cli {
@@ -30,13 +38,18 @@ Examples:
   raytorus golden renew ring_half --reason "the camera stands closer")";
 
 struct GoldenCommand {
-    std::string folder = "golden";
+    std::string folder = golden::CheckOptions().folder;
     std::vector<std::string> names;
     std::string report;
     std::string reason;
-    float toleranceFactor = 1.0F;
+    float toleranceFactor = golden::CheckOptions().toleranceFactor;
     bool all = false;
     DeviceOptions device;
+
+    // Without --report: what is read there is not to be overwritten by a part of it.
+    [[nodiscard]] golden::CheckOptions repeated() const {
+        return {folder, device.context, device.shaderFolder, toleranceFactor};
+    }
 };
 
 std::vector<golden::Case> chosenCases(const golden::Set& set, const std::vector<std::string>& names) {
@@ -45,7 +58,9 @@ std::vector<golden::Case> chosenCases(const golden::Set& set, const std::vector<
     }
     std::vector<golden::Case> chosen;
     for (const std::string& name : names) {
-        chosen.push_back(set.find(name));
+        if (std::ranges::find(chosen, name, &golden::Case::name) == chosen.end()) {
+            chosen.push_back(set.find(name));
+        }
     }
     return chosen;
 }
@@ -53,7 +68,7 @@ std::vector<golden::Case> chosenCases(const golden::Set& set, const std::vector<
 ExitCode runList(const GoldenCommand& command) {
     const golden::Set set(command.folder);
     for (const golden::Case& row : set.cases()) {
-        fmt::print("{:<24}{}\n", row.name, row.catches);
+        print("{:<24}{}\n", row.name, row.catches);
     }
     return ExitCode::Ok;
 }
@@ -83,57 +98,44 @@ std::vector<Drawing> drawingsOf(const std::vector<golden::Case>& rows) {
 class Checking {
 public:
     Checking(const golden::Set& goldens, const GoldenCommand& command)
-        : set(&goldens), shaders(command.device.shaders()), toleranceFactor(command.toleranceFactor) {}
+        : set(&goldens), shaders(command.device.shaders()), options(command.repeated()) {}
 
-    /// The pipelines take most of the time: they are made several at once, while pictures are drawn.
-    void prepare(const gpu::Context& context, const Drawing& drawing,
-                 std::map<const Method*, render::PipelineStore>& pipelines) const {
-        golden::prepare(context, *set, drawing.row, drawing.route, shadersOf(drawing),
-                        pipelines[drawing.method]);
-    }
-
-    /// pipelines: of each method, kept from one drawing to the next.
-    void add(gpu::Context& context, const Drawing& drawing,
-             std::map<const Method*, render::PipelineStore>& pipelines) {
-        const auto start = std::chrono::steady_clock::now();
-        const image::Image actual = golden::draw(context, *set, drawing.row, drawing.route,
-                                                 shadersOf(drawing), &pipelines[drawing.method]);
-        golden::Checked checked =
-            golden::check(*set, drawing.row, drawing.label, actual, drawing.allowedPixels, toleranceFactor);
-        const bool bitsPromised = context.info().type == "CPU" && drawing.method == nullptr;
-        if (checked.report.passed && bitsPromised) {
-            if (const std::string fault = golden::bitsFault(*set, drawing.row, actual); !fault.empty()) {
-                checked.report.passed = false;
-                checked.report.sentence = fault;
-                checked.exitCode = ExitCode::ComparisonFailed;
-            }
+    void addAll(gpu::Context& context, std::span<const Drawing> drawings) {
+        Progress progress("checking");
+        std::map<const Method*, render::PipelineStore> pipelines;
+        // The pipelines take most of the time: they are made several at once, while pictures are drawn.
+        for (const Drawing& drawing : drawings) {
+            golden::prepare(context, *set, drawing.row, drawing.route, shadersOf(drawing),
+                            pipelines[drawing.method]);
         }
-        image::ReportCase& report = checked.report;
-        report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        report.catches = drawing.row.catches;
-        report.explainCommand =
-            fmt::format("raytorus explain --scene {} --pixel {{x}},{{y}}", set->scene(drawing.row).string());
-        report.rerunCommand = fmt::format("raytorus golden check {}{}", drawing.row.name, looser());
-        report.renewCommand = fmt::format("raytorus golden renew {} --reason \"...\"", drawing.row.name);
-        count(checked);
-        cases.push_back(std::move(checked.report));
-    }
-
-    // The code that says most: what kept a comparison from being made, before what came out of one.
-    void fail(ExitCode code) {
-        for (const ExitCode first :
-             {ExitCode::File, ExitCode::SizeDiffers, ExitCode::NonFinite, ExitCode::ComparisonFailed}) {
-            if (code == first || exitCode == first) {
-                exitCode = first;
-                return;
-            }
+        for (const Drawing& drawing : drawings) {
+            add(context, drawing, pipelines);
+            progress.show(static_cast<double>(cases.size()) / static_cast<double>(drawings.size()));
         }
-        exitCode = code;
     }
 
-    // The option, where it was given.
-    [[nodiscard]] std::string looser() const {
-        return toleranceFactor == 1.0F ? "" : fmt::format(" --tolerance-factor {}", toleranceFactor);
+    /// The folder as a whole. In the report it is a case of its own, with all that is wrong with it.
+    void addFolder() {
+        const std::vector<std::string> faults = golden::folderFaults(*set);
+        for (const std::string& fault : faults) {
+            print("{}\n", fault);
+        }
+        if (!faults.empty()) {
+            exitCode = golden::worse(exitCode, ExitCode::File);
+            folder.push_back(golden::unchecked(set->folder().string(), ExitCode::File,
+                                               fmt::format("{}", fmt::join(faults, "; ")))
+                                 .report);
+        }
+    }
+
+    /// What is wrong with the folder, what was judged, and what was to be and was not.
+    [[nodiscard]] std::vector<image::ReportCase> reported(std::span<const Drawing> drawings) const {
+        std::vector<image::ReportCase> all = folder;
+        all.insert(all.end(), cases.begin(), cases.end());
+        std::vector<std::string> labels;
+        std::ranges::transform(drawings, std::back_inserter(labels), &Drawing::label);
+        std::ranges::move(image::skippedCases(labels, cases), std::back_inserter(all));
+        return all;
     }
 
     ExitCode exitCode = ExitCode::Ok;
@@ -145,11 +147,65 @@ private:
         return drawing.method != nullptr ? drawing.method->shaders : shaders;
     }
 
+    // pipelines: of each method, kept from one drawing to the next.
+    void add(gpu::Context& context, const Drawing& drawing,
+             std::map<const Method*, render::PipelineStore>& pipelines) {
+        const auto start = std::chrono::steady_clock::now();
+        golden::Checked checked = judged(context, drawing, pipelines[drawing.method]);
+        image::ReportCase& report = checked.report;
+        report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        report.catches = drawing.row.catches;
+        report.explainCommand = options.explainCommand(set->scene(drawing.row));
+        report.rerunCommand = options.checkCommand(drawing.row);
+        report.renewCommand = options.renewCommand(drawing.row);
+        count(checked);
+        cases.push_back(std::move(checked.report));
+    }
+
+    // What is wrong with one case keeps none of the others from being judged.
+    [[nodiscard]] golden::Checked judged(gpu::Context& context, const Drawing& drawing,
+                                         render::PipelineStore& pipelines) const {
+        try {
+            const image::Image actual =
+                golden::draw(context, *set, drawing.row, drawing.route, shadersOf(drawing), &pipelines);
+            golden::Checked checked = golden::check(*set, drawing.row, drawing.label, actual,
+                                                    drawing.allowedPixels, options.toleranceFactor);
+            if (checked.report.passed && context.info().type == "CPU" && drawing.method == nullptr) {
+                requireBits(checked, drawing, actual);
+            }
+            return checked;
+        } catch (const Error& error) {
+            if (!golden::isOfOneCase(error.exitCode)) {
+                throw;
+            }
+            return golden::unchecked(drawing.label, error.exitCode, error.what());
+        } catch (const std::bad_alloc&) {
+            return golden::unchecked(drawing.label, ExitCode::OutOfMemory, "out of memory");
+        }
+    }
+
+    void requireBits(golden::Checked& checked, const Drawing& drawing, const image::Image& actual) const {
+        const auto fail = [&checked](ExitCode code, const char* verdict, const std::string& sentence) {
+            checked.exitCode = code;
+            checked.report.passed = false;
+            checked.report.verdict = verdict;
+            checked.report.sentence = sentence;
+        };
+        try {
+            if (const std::string fault = golden::bitsFault(*set, drawing.row, actual); !fault.empty()) {
+                fail(ExitCode::ComparisonFailed, "other bits",
+                     fmt::format("{}; if that is as it should be: {}", fault, options.bitsCommand()));
+            }
+        } catch (const Error& error) {
+            fail(error.exitCode, "error", error.what());
+        }
+    }
+
     void count(const golden::Checked& checked) {
         if (!checked.report.passed) {
             ++failures;
-            fail(checked.exitCode);
-            fmt::print("{}: {}\n", checked.report.name, checked.report.sentence);
+            exitCode = golden::worse(exitCode, checked.exitCode);
+            print("{}: {}\n", checked.report.name, checked.report.sentence);
         }
         if (checked.report.comparison) {
             for (const image::MarginalPixels& margin : checked.report.comparison->margins) {
@@ -161,7 +217,8 @@ private:
 
     const golden::Set* set;
     render::ShaderSource shaders;
-    float toleranceFactor;
+    golden::CheckOptions options;
+    std::vector<image::ReportCase> folder;
 };
 
 ExitCode runCheck(const GoldenCommand& command) {
@@ -173,41 +230,41 @@ ExitCode runCheck(const GoldenCommand& command) {
     const golden::Set set(command.folder);
     const std::vector<golden::Case> rows = chosenCases(set, command.names);
     Checking checking(set, command);
+    if (!command.report.empty()) {
+        image::prepareReportFolder(command.report);
+    }
     if (command.names.empty()) {
-        for (const std::string& fault : golden::folderFaults(set)) {
-            fmt::print("{}\n", fault);
-            checking.fail(ExitCode::File);
-        }
+        checking.addFolder();
     }
     image::ReportHeading heading{"Golden pictures", {{"raytorus", std::string(version())}}};
     if (command.toleranceFactor != 1.0F) {
         heading.facts.emplace_back("tolerance factor", fmt::format("{}", command.toleranceFactor));
     }
-    withDevice(command.device, [&](gpu::Context& context) {
-        heading.facts.emplace_back("device", context.info().name);
-        heading.facts.emplace_back("driver", context.info().driverInfo);
-        Progress progress("checking");
-        const std::vector<Drawing> drawings = drawingsOf(rows);
-        std::map<const Method*, render::PipelineStore> pipelines;
-        for (const Drawing& drawing : drawings) {
-            checking.prepare(context, drawing, pipelines);
+    const std::vector<Drawing> drawings = drawingsOf(rows);
+    const auto report = [&](const char* fact, const std::string& text) {
+        if (!command.report.empty()) {
+            heading.facts.emplace_back(fact, text);
+            image::writeReportFolder(command.report, checking.reported(drawings), heading);
         }
-        for (const Drawing& drawing : drawings) {
-            checking.add(context, drawing, pipelines);
-            progress.show(static_cast<double>(checking.cases.size()) / static_cast<double>(drawings.size()));
-        }
-    });
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (!command.report.empty()) {
-        heading.facts.emplace_back("seconds", fmt::format("{:.1f}", seconds));
-        image::writeReportFolder(command.report, checking.cases, heading);
+    };
+    try {
+        withDevice(command.device, [&](gpu::Context& context) {
+            heading.facts.emplace_back("device", context.info().name);
+            heading.facts.emplace_back("driver", context.info().driverInfo);
+            checking.addAll(context, drawings);
+        });
+    } catch (const Error& error) {
+        report("ended by", error.what());
+        throw;
     }
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    report("seconds", fmt::format("{:.1f}", seconds));
     const std::string looser = command.toleranceFactor == 1.0F
                                    ? ""
                                    : fmt::format(" at {} times the rounding", command.toleranceFactor);
-    fmt::print("{} of {} pictures of {} cases are right{}; {} of {} marginal pixels flip; {:.1f} s\n",
-               static_cast<std::int64_t>(checking.cases.size()) - checking.failures, checking.cases.size(),
-               rows.size(), looser, checking.flips, checking.marginal, seconds);
+    print("{} of {} pictures of {} cases are right{}; {} of {} marginal pixels flip; {:.1f} s\n",
+          static_cast<std::int64_t>(checking.cases.size()) - checking.failures, checking.cases.size(),
+          rows.size(), looser, checking.flips, checking.marginal, seconds);
     return checking.exitCode;
 }
 
@@ -217,12 +274,15 @@ ExitCode runRenew(const GoldenCommand& command) {
     if (command.names.empty() != command.all) {
         throw Error(ExitCode::Usage, "name the cases to renew, or all of them by --all");
     }
-    for (const golden::Case& row : chosenCases(set, command.names)) {
-        Progress progress(row.name);
-        const golden::Renewal renewal =
-            golden::renew(set, row, command.reason, [&](double done) { progress.show(done); });
-        fmt::print("renewed {}: {} of {} pixels are marginal\n", set.truth(row).string(), renewal.marginal,
-                   renewal.pixels);
+    const std::vector<golden::Case> rows = chosenCases(set, command.names);
+    std::vector<golden::Renewal> renewals;
+    {
+        Progress progress("rendering");
+        renewals = golden::renew(set, rows, command.reason, [&](double done) { progress.show(done); });
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        print("renewed {}: {} of {} pixels are marginal\n", set.truth(rows[i]).string(), renewals[i].marginal,
+              renewals[i].pixels);
     }
     return ExitCode::Ok;
 }
@@ -230,6 +290,8 @@ ExitCode runRenew(const GoldenCommand& command) {
 ExitCode runBits(const GoldenCommand& command) {
     golden::requireRenewal(command.reason);
     const golden::Set set(command.folder);
+    golden::requireSound(set);
+    golden::requireWritable(set.bits());
     std::map<std::string, std::string> bits;
     withDevice(command.device, [&](gpu::Context& context) {
         if (context.info().type != "CPU") {
@@ -256,7 +318,7 @@ ExitCode runBits(const GoldenCommand& command) {
         }
     });
     golden::writeBits(set, bits, command.reason);
-    fmt::print("wrote {}\n", set.bits().string());
+    print("wrote {}\n", set.bits().string());
     return ExitCode::Ok;
 }
 

@@ -37,6 +37,15 @@ void prepare(const gpu::Context& context, const Set& set, const Case& row, rende
     }
 }
 
+void requireSound(const Set& set) {
+    for (const Case& row : set.cases()) {
+        static_cast<void>(render::readScene(set.scene(row)));
+        if (const std::string fault = truthFault(set, row); !fault.empty()) {
+            throw Error(ExitCode::File, fault);
+        }
+    }
+}
+
 image::Image draw(gpu::Context& context, const Set& set, const Case& row, render::Route route,
                   const render::ShaderSource& shaders, render::PipelineStore* pipelines) {
     render::RenderOptions options;
@@ -62,12 +71,35 @@ Checked check(const Set& set, const Case& row, const std::string& label, const i
         result.exitCode = comparison.exitCode();
         result.report = image::reportCase(label, std::move(expected), actual, std::move(comparison));
     } catch (const Error& error) {
-        result.exitCode = error.exitCode;
-        result.report.name = label;
-        result.report.sentence = error.what();
+        result = unchecked(label, error.exitCode, error.what());
         result.report.actual = actual;
     }
     return result;
+}
+
+Checked unchecked(const std::string& label, ExitCode code, const std::string& sentence) {
+    Checked result;
+    result.exitCode = code;
+    result.report.name = label;
+    result.report.verdict = "error";
+    result.report.sentence = sentence;
+    return result;
+}
+
+bool isOfOneCase(ExitCode code) {
+    return code == ExitCode::File || code == ExitCode::Scene || code == ExitCode::Shader ||
+           code == ExitCode::OutOfMemory;
+}
+
+ExitCode worse(ExitCode one, ExitCode other) {
+    // The order in which a picture passes the gates.
+    for (const ExitCode first : {ExitCode::File, ExitCode::Scene, ExitCode::Shader, ExitCode::OutOfMemory,
+                                 ExitCode::SizeDiffers, ExitCode::NonFinite, ExitCode::ComparisonFailed}) {
+        if (one == first || other == first) {
+            return first;
+        }
+    }
+    return one == ExitCode::Ok ? other : one;
 }
 
 std::string bitsFault(const Set& set, const Case& row, const image::Image& actual) {
@@ -77,11 +109,7 @@ std::string bitsFault(const Set& set, const Case& row, const image::Image& actua
         return fmt::format("{}: nothing about {}", set.bits().string(), row.name);
     }
     if (recorded->second != pictureHash(actual)) {
-        return fmt::format(
-            "{}: other bits than those recorded, though the device is a CPU; if the shaders were to change "
-            "them: "
-            "raytorus golden bits --reason \"...\"",
-            row.name);
+        return fmt::format("{}: other bits than those recorded, though the device is a CPU", row.name);
     }
     return "";
 }

@@ -18,6 +18,10 @@ namespace raytorus::golden {
 void prepare(const gpu::Context& context, const Set& set, const Case& row, render::Route route,
              const render::ShaderSource& shaders, render::PipelineStore& pipelines);
 
+/// Throws the first fault that keeps the cases from being drawn and judged: of a scene, the manifest, a
+/// truth, a sidecar.
+void requireSound(const Set& set);
+
 /// The picture of a case, all channels, as it is drawn now.
 image::Image draw(gpu::Context& context, const Set& set, const Case& row, render::Route route,
                   const render::ShaderSource& shaders = {}, render::PipelineStore* pipelines = nullptr);
@@ -34,7 +38,18 @@ struct Checked {
 Checked check(const Set& set, const Case& row, const std::string& label, const image::Image& actual,
               int allowedPixels = 0, float toleranceFactor = 1.0f);
 
-/// Why the bits are not those that are recorded; empty if they are.
+/// A picture that could not be drawn or compared: an error, not a difference.
+Checked unchecked(const std::string& label, ExitCode code, const std::string& sentence);
+
+/// Whether an error is about one case, and others can still be judged: not where the device is gone, for
+/// instance.
+bool isOfOneCase(ExitCode code);
+
+/// The code that says most of two: what kept a comparison from being made goes before what came out of one.
+/// docs/golden.md has the order.
+ExitCode worse(ExitCode one, ExitCode other);
+
+/// Why the bits are not those that are recorded; empty if they are. Throws Error{File} as readBits().
 std::string bitsFault(const Set& set, const Case& row, const image::Image& actual);
 
 }  // namespace raytorus::golden

@@ -3,26 +3,60 @@
 
 #include <fmt/format.h>
 
+#include <functional>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <system_error>
 
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/sha256.hpp"
 #include "image/manifest.hpp"
+#include "render/json_node.hpp"
 
 namespace raytorus::golden {
 namespace {
 
 namespace fs = std::filesystem;
 
-nlohmann::json readJson(const fs::path& path) {
+// What is wrong in these files is a fault of the file, wherever else such JSON may be a scene.
+void readJson(const fs::path& path, const std::function<void(const render::JsonNode&)>& read) {
     const std::string text = readTextFile(path);
-    nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
-    if (!json.is_object()) {
-        throw Error(ExitCode::File, fmt::format("{}: no JSON object", path.string()));
+    const std::string name = path.string();
+    try {
+        const render::Json tree = render::parseStrictJson(text, name);
+        read(render::JsonNode(tree, name));
+    } catch (const Error& error) {
+        throw Error(ExitCode::File, error.what());
     }
-    return json;
+}
+
+struct Sidecar {
+    std::string scene;
+    int samplesPerPixel = 0;
+};
+
+Sidecar readSidecar(const fs::path& path) {
+    Sidecar sidecar;
+    readJson(path, [&sidecar](const render::JsonNode& top) {
+        top.expectObject();
+        sidecar.scene = top.requiredMember("scene").text();
+        sidecar.samplesPerPixel =
+            top.requiredMember("samplesPerPixel").integer(1, std::numeric_limits<int>::max());
+        // These are for people, and nothing else is asked of them.
+        for (const char* key : {"case", "reason", "reference", "raytorus"}) {
+            if (const auto member = top.member(key)) {
+                static_cast<void>(member->text());
+            }
+        }
+        for (const char* key : {"pixels", "marginalPixels"}) {
+            if (const auto member = top.member(key)) {
+                static_cast<void>(member->integer(0, std::numeric_limits<int>::max()));
+            }
+        }
+    });
+    return sidecar;
 }
 
 std::set<std::string> expectedFiles(const Set& set) {
@@ -35,13 +69,22 @@ std::set<std::string> expectedFiles(const Set& set) {
     return files;
 }
 
+// Not what is in a stray folder: the folder is stray, and may be one that cannot be listed.
 void addStrays(const Set& set, std::vector<std::string>& faults) {
     const std::set<std::string> expected = expectedFiles(set);
     std::set<std::string> strays;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(set.folder())) {
-        const std::string name = entry.path().lexically_relative(set.folder()).generic_string();
-        if (!expected.contains(name)) {
-            strays.insert(name);
+    for (const fs::path& folder : {set.folder(), set.folder() / "scenes"}) {
+        std::error_code problem;
+        for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end;
+             entry.increment(problem)) {
+            const std::string name = entry->path().lexically_relative(set.folder()).generic_string();
+            if (!expected.contains(name)) {
+                strays.insert(name);
+            }
+        }
+        if (problem) {
+            faults.push_back(fmt::format("cannot list the folder \"{}\": {}", folder.string(),
+                                         systemReason(problem.value())));
         }
     }
     for (const std::string& name : strays) {
@@ -51,21 +94,26 @@ void addStrays(const Set& set, std::vector<std::string>& faults) {
 }
 
 std::string sidecarFault(const Set& set, const Case& row) {
-    const nlohmann::json sidecar = readJson(set.sidecar(row));
-    if (sidecar.value("scene", "") != sceneHash(set, row)) {
+    const Sidecar sidecar = readSidecar(set.sidecar(row));
+    if (sidecar.scene != sha256(readFile(set.scene(row)))) {
         return fmt::format("{}: the scene has changed since its truth was made", set.scene(row).string());
     }
-    if (sidecar.value("samplesPerPixel", 0) != row.samplesPerSide * row.samplesPerSide) {
+    if (sidecar.samplesPerPixel != row.samplesPerSide * row.samplesPerSide) {
         return fmt::format("{}: the truth was made with another number of samples", set.truth(row).string());
     }
     return "";
 }
 
-}  // namespace
-
-std::string sceneHash(const Set& set, const Case& row) {
-    return sha256(readFile(set.scene(row)));
+// What a part of the folder's check finds, where it finds faults and where it cannot look.
+void addFaults(std::vector<std::string>& faults, const std::function<void()>& look) {
+    try {
+        look();
+    } catch (const Error& error) {
+        faults.emplace_back(error.what());
+    }
 }
+
+}  // namespace
 
 std::string pictureHash(const image::Image& picture) {
     std::string text = fmt::format("{} x {}", picture.width, picture.height);
@@ -82,35 +130,39 @@ std::string truthFault(const Set& set, const Case& row) {
 }
 
 std::vector<std::string> folderFaults(const Set& set) {
-    std::vector<std::string> faults =
-        image::manifestFaults(image::readManifest(set.manifest()), set.folder());
+    std::vector<std::string> faults;
+    addFaults(faults,
+              [&] { faults = image::manifestFaults(image::readManifest(set.manifest()), set.folder()); });
     addStrays(set, faults);
-    const std::map<std::string, std::string> bits = readBits(set);
     for (const Case& row : set.cases()) {
-        try {
+        addFaults(faults, [&] {
             if (const std::string fault = sidecarFault(set, row); !fault.empty()) {
                 faults.push_back(fault);
             }
-        } catch (const Error& error) {
-            faults.emplace_back(error.what());
-        }
-        if (!bits.contains(row.name)) {
-            faults.push_back(fmt::format("{}: nothing about {}", set.bits().string(), row.name));
-        }
+        });
     }
+    addFaults(faults, [&] {
+        const std::map<std::string, std::string> bits = readBits(set);
+        for (const Case& row : set.cases()) {
+            if (!bits.contains(row.name)) {
+                faults.push_back(fmt::format("{}: nothing about {}", set.bits().string(), row.name));
+            }
+        }
+    });
     return faults;
 }
 
 std::map<std::string, std::string> readBits(const Set& set) {
-    const nlohmann::json json = readJson(set.bits());
     std::map<std::string, std::string> bits;
-    const auto pictures = json.find("sha256");
-    if (pictures == json.end() || !pictures->is_object()) {
-        throw Error(ExitCode::File, fmt::format("{}: no object \"sha256\"", set.bits().string()));
-    }
-    for (const auto& [name, hash] : pictures->items()) {
-        bits[name] = hash.is_string() ? hash.get<std::string>() : "";
-    }
+    readJson(set.bits(), [&bits](const render::JsonNode& top) {
+        top.expectObject();
+        const render::JsonNode pictures = top.requiredMember("sha256");
+        pictures.expectObject();
+        for (std::size_t i = 0; i < pictures.value().size(); ++i) {
+            const render::JsonNode hash = pictures.child(i);
+            bits[std::string(hash.key())] = hash.text();
+        }
+    });
     return bits;
 }
 

@@ -18,9 +18,6 @@ std::vector<std::string> folderFaults(const Set& set);
 /// Why the truth of a case is not to be compared with, by the manifest and its sidecar; empty if it is.
 std::string truthFault(const Set& set, const Case& row);
 
-/// The SHA-256 of a scene file.
-std::string sceneHash(const Set& set, const Case& row);
-
 /// The SHA-256 of a picture's size, channels and values: equal if and only if all bits are.
 std::string pictureHash(const image::Image& picture);
 

@@ -8,8 +8,9 @@
 
 #include "core/error.hpp"
 #include "core/file.hpp"
-#include "golden/golden_folder.hpp"
-#include "image/image_io.hpp"
+#include "core/sha256.hpp"
+#include "golden/file_group.hpp"
+#include "image/image_codec.hpp"
 #include "image/manifest.hpp"
 #include "render/scene_json.hpp"
 #include "truth/truth.hpp"
@@ -43,15 +44,56 @@ void requireAgreement(const Case& row, const render::Scene& scene, const truth::
     }
 }
 
-void enterInManifest(const Set& set, const Case& row) {
-    image::Manifest manifest;
-    if (std::filesystem::exists(set.manifest())) {
-        manifest = image::readManifest(set.manifest());
+// A case to renew, as it is before anything is rendered: the scene that is rendered is the one that is
+// hashed.
+struct Task {
+    const Case* row;
+    render::Scene scene;
+    std::string hash;
+};
+
+image::Manifest manifestNow(const Set& set) {
+    std::error_code ignored;
+    // Not of what a link leads to: a manifest that cannot be read is not one that is not there.
+    const bool missing = std::filesystem::symlink_status(set.manifest(), ignored).type() ==
+                         std::filesystem::file_type::not_found;
+    return missing ? image::Manifest() : image::readManifest(set.manifest());
+}
+
+std::vector<Task> prepare(const Set& set, std::span<const Case> rows) {
+    std::vector<Task> tasks;
+    for (const Case& row : rows) {
+        const std::string text = readTextFile(set.scene(row));
+        tasks.push_back({&row, render::parseScene(text, set.scene(row).string()),
+                         sha256(std::as_bytes(std::span(text)))});
+        requireWritable(set.truth(row));
+        requireWritable(set.sidecar(row));
     }
-    const std::string name = set.truth(row).filename().string();
-    const image::Manifest now = image::manifestOf(set.folder());
-    manifest.files[name] = now.files.at(name);
-    image::writeManifest(set.manifest(), manifest);
+    static_cast<void>(manifestNow(set));
+    requireWritable(set.manifest());
+    return tasks;
+}
+
+std::string sidecarText(const Task& task, const Renewal& renewal, const std::string& reason) {
+    const int side = task.row->samplesPerSide;
+    const nlohmann::ordered_json sidecar = {{"case", task.row->name},
+                                            {"reason", reason},
+                                            {"reference", "113 bits, questioned by 104 bits"},
+                                            {"raytorus", version()},
+                                            {"scene", task.hash},
+                                            {"samplesPerPixel", side * side},
+                                            {"pixels", renewal.pixels},
+                                            {"marginalPixels", renewal.marginal}};
+    return sidecar.dump(2) + "\n";
+}
+
+image::Image truthOf(const Task& task, const std::function<void(double)>& progress) {
+    truth::TruthOptions options;
+    options.samplesPerSide = task.row->samplesPerSide;
+    requireAgreement(*task.row, task.scene, options);
+    options.sharpness = true;
+    options.progress = progress;
+    return truth::renderTruth(task.scene, task.scene.imageWidth, task.scene.imageHeight, options);
 }
 
 }  // namespace
@@ -64,32 +106,40 @@ void requireRenewal(const std::string& reason) {
     if (reason.find_first_not_of(" \t\n") == std::string::npos) {
         throw Error(ExitCode::Usage, "--reason says why the goldens change; it cannot be blank");
     }
+    if (!image::jsonCanHold(reason)) {
+        throw Error(ExitCode::Usage, "--reason is kept as JSON; it must be UTF-8");
+    }
 }
 
-Renewal renew(const Set& set, const Case& row, const std::string& reason,
-              const std::function<void(double)>& progress) {
+std::vector<Renewal> renew(const Set& set, std::span<const Case> rows, const std::string& reason,
+                           const std::function<void(double)>& progress) {
     requireRenewal(reason);
-    const render::Scene scene = render::readScene(set.scene(row));
-    truth::TruthOptions options;
-    options.samplesPerSide = row.samplesPerSide;
-    requireAgreement(row, scene, options);
-    options.sharpness = true;
-    options.progress = progress;
-    const image::Image truth = truth::renderTruth(scene, scene.imageWidth, scene.imageHeight, options);
-    const Renewal renewal{truth.width * truth.height, marginalPixels(truth)};
-    const nlohmann::ordered_json sidecar = {{"case", row.name},
-                                            {"reason", reason},
-                                            {"reference", "113 bits, questioned by 104 bits"},
-                                            {"raytorus", version()},
-                                            {"scene", sceneHash(set, row)},
-                                            {"samplesPerPixel", row.samplesPerSide * row.samplesPerSide},
-                                            {"pixels", renewal.pixels},
-                                            {"marginalPixels", renewal.marginal}};
-    image::writeImage(set.truth(row), truth);
-    const std::string text = sidecar.dump(2) + "\n";
-    writeFile(set.sidecar(row), std::as_bytes(std::span(text)));
-    enterInManifest(set, row);
-    return renewal;
+    const std::vector<Task> tasks = prepare(set, rows);
+    std::vector<Renewal> renewals;
+    std::map<std::string, image::ManifestEntry> entries;
+    FileGroup files;
+    for (const Task& task : tasks) {
+        const auto partDone = [&](double done) {
+            if (progress) {
+                progress((static_cast<double>(renewals.size()) + done) / static_cast<double>(tasks.size()));
+            }
+        };
+        const std::filesystem::path path = set.truth(*task.row);
+        const image::Image truth = truthOf(task, partDone);
+        const std::vector<std::byte> bytes = image::encode(truth, image::Format::Exr, path.string());
+        renewals.push_back({truth.width * truth.height, marginalPixels(truth)});
+        entries[path.filename().string()] = image::manifestEntry(bytes);
+        files.add(path, bytes);
+        files.add(set.sidecar(*task.row), sidecarText(task, renewals.back(), reason));
+    }
+    // As it is now: rendering may have taken minutes.
+    image::Manifest manifest = manifestNow(set);
+    for (const auto& [name, entry] : entries) {
+        manifest.files[name] = entry;
+    }
+    files.add(set.manifest(), image::manifestText(manifest));
+    files.commit();
+    return renewals;
 }
 
 }  // namespace raytorus::golden

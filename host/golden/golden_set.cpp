@@ -9,6 +9,7 @@
 #include "bench/methods/methods.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "golden/golden_options.hpp"
 #include "render/json_node.hpp"
 
 namespace raytorus::golden {
@@ -93,7 +94,7 @@ const Case& Set::find(const std::string& name) const {
     const auto found = std::ranges::find(rows, name, &Case::name);
     if (found == rows.end()) {
         throw Error(ExitCode::Usage,
-                    fmt::format("no golden case is called \"{}\" (raytorus golden list)", name));
+                    fmt::format("no golden case is called \"{}\" ({})", name, listCommand(root)));
     }
     return *found;
 }

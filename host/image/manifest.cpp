@@ -46,10 +46,6 @@ ManifestEntry entryOf(const fs::path& path, const std::string& name, const Json&
     return {sha256->get<std::string>(), bytes->get<std::uintmax_t>()};
 }
 
-ManifestEntry entryOf(std::span<const std::byte> bytes) {
-    return {sha256(bytes), bytes.size()};
-}
-
 std::set<std::string> picturesIn(const fs::path& folder) {
     std::set<std::string> names;
     std::error_code problem;
@@ -60,13 +56,23 @@ std::set<std::string> picturesIn(const fs::path& folder) {
         }
     }
     if (problem) {
-        throw Error(ExitCode::File,
-                    fmt::format("cannot list the folder \"{}\": {}", folder.string(), problem.message()));
+        throw Error(ExitCode::File, fmt::format("cannot list the folder \"{}\": {}", folder.string(),
+                                                systemReason(problem.value())));
     }
     return names;
 }
 
 }  // namespace
+
+bool jsonCanHold(const std::string& text) {
+    // What is not UTF-8 is left out of what is written, and so does not come back.
+    const std::string written = Json(text).dump(-1, ' ', false, Json::error_handler_t::ignore);
+    return Json::parse(written).get<std::string>() == text;
+}
+
+ManifestEntry manifestEntry(std::span<const std::byte> bytes) {
+    return {sha256(bytes), bytes.size()};
+}
 
 Manifest readManifest(const fs::path& path) {
     const Json json = Json::parse(readTextFile(path), nullptr, false);
@@ -83,19 +89,27 @@ Manifest readManifest(const fs::path& path) {
     return manifest;
 }
 
-void writeManifest(const fs::path& path, const Manifest& manifest) {
+std::string manifestText(const Manifest& manifest) {
     Json files = Json::object();
     for (const auto& [name, entry] : manifest.files) {
+        if (!jsonCanHold(name)) {
+            throw Error(ExitCode::File,
+                        fmt::format("\"{}\" cannot be in a manifest: its name is not UTF-8", name));
+        }
         files[name] = {{"sha256", entry.sha256}, {"bytes", entry.bytes}};
     }
-    const std::string text = Json{{"files", files}}.dump(2) + "\n";
+    return Json{{"files", files}}.dump(2) + "\n";
+}
+
+void writeManifest(const fs::path& path, const Manifest& manifest) {
+    const std::string text = manifestText(manifest);
     writeFile(path, std::as_bytes(std::span(text)));
 }
 
 Manifest manifestOf(const fs::path& folder) {
     Manifest manifest;
     for (const std::string& name : picturesIn(folder)) {
-        manifest.files[name] = entryOf(readFile(folder / name));
+        manifest.files[name] = manifestEntry(readFile(folder / name));
     }
     return manifest;
 }
@@ -108,7 +122,7 @@ std::string manifestFault(const Manifest& manifest, const fs::path& file) {
     const ManifestEntry& expected = listed->second;
     ManifestEntry found;
     try {
-        found = entryOf(readFile(file));
+        found = manifestEntry(readFile(file));
     } catch (const Error& error) {
         return fmt::format("{}, and the manifest lists it", error.what());
     }

@@ -3,9 +3,11 @@
 //   {"files": {"ring.exr": {"sha256": "<64 hexadecimal digits>", "bytes": 53012}}}
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,7 +29,17 @@ struct Manifest {
 /// Throws Error{ExitCode::File} when the file is missing or is no manifest.
 [[nodiscard]] Manifest readManifest(const std::filesystem::path& path);
 
-/// Writes it, names sorted, in one step like writeFile().
+/// Whether JSON can hold a text: whether it is UTF-8.
+[[nodiscard]] bool jsonCanHold(const std::string& text);
+
+/// The entry of a file with these bytes.
+[[nodiscard]] ManifestEntry manifestEntry(std::span<const std::byte> bytes);
+
+/// As readManifest() reads it, names sorted. Throws Error{ExitCode::File} for a name that is not UTF-8, which
+/// JSON cannot hold.
+[[nodiscard]] std::string manifestText(const Manifest& manifest);
+
+/// Writes that in one step like writeFile().
 void writeManifest(const std::filesystem::path& path, const Manifest& manifest);
 
 /// A manifest of every picture (hasImageExtension) in a folder.

@@ -10,7 +10,7 @@
 #include <limits>
 #include <system_error>
 
-#include "core/file.hpp"
+#include "core/output_file.hpp"
 #include "image/report_case.hpp"
 #include "image/report_style.hpp"
 
@@ -63,6 +63,11 @@ constexpr const char* tools = R"html(<div class="tools">
 <span class="keys"><kbd>/</kbd> filter, <kbd>f</kbd> failed only, <kbd>j</kbd> <kbd>k</kbd> next and previous case;
 in a picture the <kbd>arrows</kbd> move the mark and <kbd>Enter</kbd> enlarges.</span></p>
 )html";
+
+void makeFolder(const std::filesystem::path& folder) {
+    std::error_code problem;
+    std::filesystem::create_directories(folder, problem);  // what is wrong, writing the first file tells
+}
 
 }  // namespace
 
@@ -143,10 +148,16 @@ void writeReport(const std::filesystem::path& path, std::span<const ReportCase> 
     writeFile(path, std::as_bytes(std::span(html)));
 }
 
+void prepareReportFolder(const std::filesystem::path& folder) {
+    makeFolder(folder);
+    for (const char* name : {"report.json", "junit.xml", "index.html"}) {
+        const OutputFile probe(folder / name);
+    }
+}
+
 void writeReportFolder(const std::filesystem::path& folder, std::span<const ReportCase> cases,
                        const ReportHeading& heading) {
-    std::error_code problem;
-    std::filesystem::create_directories(folder, problem);  // what is wrong, writing the first file tells
+    makeFolder(folder);
     const auto write = [&folder](const char* name, const std::string& text) {
         writeFile(folder / name, std::as_bytes(std::span(text)));
     };

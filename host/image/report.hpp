@@ -27,13 +27,13 @@ struct ReportCase {
     std::optional<Image> expected;
     std::optional<Image> actual;
 
-    // For whoever reads the page. What is empty is not shown.
-    std::string catches;  ///< what the case is there to catch
-    std::string
-        explainCommand;        ///< tells all about one pixel; "{x}" and "{y}" in it become those of the pixel
-    std::string rerunCommand;  ///< makes and compares this case again
-    std::string renewCommand;  ///< makes what came out what is expected
-    double seconds = 0.0;      ///< how long it took; 0: not known
+    // For whoever reads the page. What is empty is not shown. Commands are shown as they are given: quoted
+    // for a shell.
+    std::string catches;         ///< what the case is there to catch
+    std::string explainCommand;  ///< tells all about one pixel, which the last "{x},{y}" in it becomes
+    std::string rerunCommand;    ///< makes and compares this case again
+    std::string renewCommand;    ///< makes what came out what is expected
+    double seconds = 0.0;        ///< how long it took; 0: not known
 };
 
 /// What stands above the cases: a title, and facts that belong to all of them, such as the device, by name.
@@ -69,6 +69,10 @@ struct ReportHeading {
 
 /// Writes the page, in one step like writeImage().
 void writeReport(const std::filesystem::path& path, std::span<const ReportCase> cases);
+
+/// Makes the folder of a report, if need be. Throws Error{File} if what writeReportFolder() writes could not
+/// be written there: better said before a long work than after it.
+void prepareReportFolder(const std::filesystem::path& folder);
 
 /// Writes index.html, report.json and junit.xml into the folder, which is made if need be.
 void writeReportFolder(const std::filesystem::path& folder, std::span<const ReportCase> cases,

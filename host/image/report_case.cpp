@@ -107,32 +107,39 @@ std::string worstHtml(const ReportCase& reported) {
         pixelText(*worst), pixelText(*worst), pixelHtml(reported, *worst));
 }
 
-std::string replaced(std::string text, std::string_view what, int number) {
-    const std::string by = fmt::format("{}", number);
-    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size())) {
-        text.replace(at, what.size(), by);
+// The last place for it: a name before it may hold the same characters.
+std::string withPixel(std::string command, Pixel pixel) {
+    constexpr std::string_view place = "{x},{y}";
+    if (const std::size_t at = command.rfind(place); at != std::string::npos) {
+        command.replace(at, place.size(), fmt::format("{},{}", pixel.x, pixel.y));
     }
-    return text;
+    return command;
 }
 
-// The script puts in another pixel when one is picked, hence the command as it was given beside the one to
-// show.
-std::string commandHtml(std::string_view label, const std::string& command, Pixel pixel) {
+std::string commandHtml(std::string_view label, const std::string& command,
+                        const std::string& attribute = {}) {
     if (command.empty()) {
         return {};
     }
     return fmt::format(
-        "<div class=\"command\"><span>{}</span><code data-command=\"{}\">{}</code>"
-        "<button class=\"copy\">Copy</button></div>\n",
-        label, escapeHtml(command), escapeHtml(replaced(replaced(command, "{x}", pixel.x), "{y}", pixel.y)));
+        "<div class=\"command\"><span>{}</span><code{}>{}</code><button class=\"copy\">Copy</button></div>\n",
+        label, attribute, escapeHtml(command));
+}
+
+// The script puts in another pixel when one is picked, hence the command as it was given beside the one to
+// show.
+std::string explainHtml(const ReportCase& reported) {
+    if (!reported.expected && !reported.actual) {
+        return {};
+    }
+    const Pixel pixel = worstPixel(reported).value_or(Pixel{});
+    return commandHtml("Explain the marked pixel", withPixel(reported.explainCommand, pixel),
+                       fmt::format(" data-command=\"{}\"", escapeHtml(reported.explainCommand)));
 }
 
 std::string commandsHtml(const ReportCase& reported) {
-    const Pixel pixel = worstPixel(reported).value_or(Pixel{});
-    const std::string explain = reported.expected || reported.actual ? reported.explainCommand : "";
-    const std::string html = commandHtml("Explain the marked pixel", explain, pixel) +
-                             commandHtml("Run again", reported.rerunCommand, pixel) +
-                             commandHtml("Renew what is expected", reported.renewCommand, pixel);
+    const std::string html = explainHtml(reported) + commandHtml("Run again", reported.rerunCommand) +
+                             commandHtml("Renew what is expected", reported.renewCommand);
     return html.empty() ? html : "<div class=\"commands\">\n" + html + "</div>\n";
 }
 

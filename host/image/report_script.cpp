@@ -40,7 +40,8 @@ function mark(shown, x, y) {
   shown.classList.add('marked');
   for (const place of shown.querySelectorAll('.place')) place.textContent = `(${x}, ${y})`;
   for (const code of shown.querySelectorAll('code[data-command]')) {
-    code.textContent = code.dataset.command.replaceAll('{x}', x).replaceAll('{y}', y);
+    const [command, at] = [code.dataset.command, code.dataset.command.lastIndexOf('{x},{y}')];
+    if (at >= 0) code.textContent = `${command.slice(0, at)}${x},${y}${command.slice(at + '{x},{y}'.length)}`;
   }
 }
 
