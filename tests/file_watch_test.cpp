@@ -163,6 +163,18 @@ TEST_F(FileWatches, FileThatBecomesUnreadable) {
     expectChange(file);
 }
 
+// A scene may be larger than a shader's source, which is read whole: its size and times tell.
+TEST_F(FileWatches, LargerThanASource) {
+    writeText(file, std::string(maxSourceBytes + 1, 'x'));
+    expectChange(file);
+    writeText(file, std::string(maxSourceBytes + 2, 'x'));
+    expectChange(file);
+    writeText(file, std::string(maxSourceBytes + 2, 'y'));
+    expectChange(file);
+    watchNow({file});
+    expectNoChange();
+}
+
 TEST_F(FileWatches, DatesAloneAreNoChange) {
     expectNoChange();
     fs::last_write_time(file, fs::last_write_time(file) + 1h);

@@ -118,7 +118,9 @@ TEST_F(ProgramTrace, CsvAndRawGiveTheSameBits) {
 
 TEST_F(ProgramTrace, TakesHeaderCommentsBlankLinesAndLineEnds) {
     const std::string plain = trace("3,0,0,0,-1,0,0,inf\n1,0,5,0,0,0,-1,inf\n");
-    EXPECT_EQ(trace("ox,oy,oz,tMin,dx,dy,dz,tMax\n3,0,0,0,-1,0,0,inf\n1,0,5,0,0,0,-1,inf\n"), plain);
+    EXPECT_EQ(trace("originX,originY,originZ,tMin,directionX,directionY,directionZ,tMax\n3,0,0,0,-1,0,0,"
+                    "inf\n1,0,5,0,0,0,-1,inf\n"),
+              plain);
     EXPECT_EQ(trace("# two rays\n\n3,0,0,0,-1,0,0,inf\n  # and\n   \n1,0,5,0,0,0,-1,inf"), plain);
     EXPECT_EQ(trace("3,0,0,0,-1,0,0,inf\r\n\r\n1,0,5,0,0,0,-1,inf\r\n"), plain);
     EXPECT_EQ(trace(" 3 , 0,\t0,0,-1.0,+0,0e5,Inf \n1,0,5,0,0,0,-1,infinity\n"), plain);

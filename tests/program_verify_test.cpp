@@ -145,8 +145,10 @@ TEST_F(ProgramVerify, ExplainsWrongArguments) {
         "hornTip)");
     expectUsageError({"--rows", "rows"}, "--rows is class, radius, distance or cell, not \"rows\"");
     expectUsageError({"--seed", "-1"}, "--seed is a whole number below 2^64, or today, not \"-1\"");
-    expectUsageError({"--radius", "0"}, "--radius is r/R from 1e-7 to 1e4, not 0");
-    expectUsageError({"--distance", "nan"}, "--distance is D/R from 1 to 1e12, not nan");
+    expectUsageError({"--radius", "0"},
+                     "--radius: \"0\" is no number from 1e-07 to 10000 (see raytorus-verify --help)");
+    expectUsageError({"--distance", "nan"},
+                     "--distance: \"nan\" is no number from 1 to 1000000000000 (see raytorus-verify --help)");
     expectUsageError({"--replay", "1 0.25 0"},
                      "--replay takes ten numbers: R r, origin, tMin, direction, tMax; not \"1 0.25 0\"");
 }

@@ -74,10 +74,10 @@ TEST_F(RayFile, RawRaysComeInPieces) {
 }
 
 TEST_F(RayFile, CsvRaysComeInPieces) {
-    RayReader reader(
-        file("rays.csv",
-             "a,b,c,d,e,f,g,h\n1,2,3,4,5,6,7,8\n# no ray\n-1,-2,-3,-4,-5,-6,-7,inf\n9,9,9,9,9,9,9,9"),
-        RayFormat::Csv);
+    RayReader reader(file("rays.csv",
+                          "originX,originY,originZ,tMin,directionX,directionY,directionZ,tMax\n1,2,3,4,5,6,7,"
+                          "8\n# no ray\n-1,-2,-3,-4,-5,-6,-7,inf\n9,9,9,9,9,9,9,9"),
+                     RayFormat::Csv);
     EXPECT_EQ(readSome(reader, 1).size(), 1U);
     const std::vector<TraceRay> rays = readSome(reader, 1);
     ASSERT_EQ(rays.size(), 1U);
@@ -89,15 +89,18 @@ TEST_F(RayFile, CsvRaysComeInPieces) {
     EXPECT_TRUE(readSome(reader, 8).empty());
 }
 
-// A second line without a number is no header, and one with a number is none anywhere.
+// Other names, or a second line of them, are no header.
 TEST_F(RayFile, HeaderIsTheFirstLineAlone) {
     const auto readAll = [this](const std::string& text) {
         RayReader reader(file("rays.csv", text), RayFormat::Csv);
         readSome(reader, 100);
     };
-    readAll("\n# comment\na,b,c,d,e,f,g,h\n1,2,3,4,5,6,7,8\n");
-    expectError([&] { readAll("a,b,c,d,e,f,g,h\na,b,c,d,e,f,g,h\n"); }, ExitCode::File, {"line 2", "\"a\""});
-    expectError([&] { readAll("1,2,3,4,5,6,7,8\na,b,c,d,e,f,g,h\n"); }, ExitCode::File, {"line 2", "\"a\""});
+    const std::string header = "originX,originY,originZ,tMin,directionX,directionY,directionZ,tMax\n";
+    readAll("\n# comment\n" + header + "1,2,3,4,5,6,7,8\n");
+    expectError([&] { readAll(header + header); }, ExitCode::File, {"line 2", "column 1", "\"originX\""});
+    expectError([&] { readAll("1,2,3,4,5,6,7,8\n" + header); }, ExitCode::File, {"line 2", "\"originX\""});
+    expectError([&] { readAll("a,b,c,d,e,f,g,h\n"); }, ExitCode::File,
+                {"line 1", "column 1, originX: \"a\""});
     expectError([&] { readAll("a,b,c,d,e,f,g,8\n"); }, ExitCode::File, {"line 1", "\"a\""});
     expectError([&] { readAll("a,b,c\n"); }, ExitCode::File, {"line 1", "3 values"});
 }

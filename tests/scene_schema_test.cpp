@@ -161,6 +161,7 @@ TEST(SceneSchema, AgreesOnTheEndsOfEachRange) {
                                              {"/ambient/sky/1", 3.41e38, false},
                                              {"/lights/0/radiance/1", -1e-9, false},
                                              {"/materials/gold/roughness", 0, false},
+                                             {"/materials/gold/roughness", 0.99e-6, false},
                                              {"/materials/gold/roughness", 1e-6, true},
                                              {"/materials/gold/roughness", 1, true},
                                              {"/materials/gold/roughness", 1.000001, false},
@@ -171,6 +172,9 @@ TEST(SceneSchema, AgreesOnTheEndsOfEachRange) {
                                              {"/materials/gold/checker/counts/1", 65537, false},
                                              {"/tori/0/majorRadius", 0, true},
                                              {"/tori/0/majorRadius", -1e-9, false},
+                                             {"/tori/0/majorRadius", 9e17, true},
+                                             {"/tori/0/majorRadius", 1.1e18, false},
+                                             {"/tori/0/minorRadius", 1.1e18, false},
                                              {"/tori/0/minorRadius", 0, false},
                                              {"/tori/0/minorRadius", 1e-30, true},
                                              {"/tori/0/minorRadius", 100, true},
@@ -178,7 +182,7 @@ TEST(SceneSchema, AgreesOnTheEndsOfEachRange) {
                                              {"/animation/turntable/secondsPerTurn", 1e-30, true},
                                              {"/animation/turntable/secondsPerTurn", -1e-9, false},
                                              {"/tori/0/scale", 0, false},
-                                             {"/tori/0/scale", 1e-30, true}}) {
+                                             {"/tori/0/scale", 1e-12, true}}) {
         json document = full;
         document[json::json_pointer(end.place)] = end.value == std::trunc(end.value) && end.value < 1e9
                                                       ? json(static_cast<int>(end.value))

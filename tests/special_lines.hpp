@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Lines in special positions: exact tangents and their neighbours, Villarceau's planes, the axis, the tip of
 // a horn, the dimples of a spindle, hits whose distances are decades apart, ends beside a crossing, thin
-// tubes from end to end and across, small angles. Each is judged by the reference (hit_match.hpp), however near to a
-// tangent; an exact tangent may have both its hits or neither, but the functions must agree.
+// tubes from end to end and across, small angles. Each is judged by the reference (hit_match.hpp), however
+// near to a tangent; an exact tangent may have both its hits or neither, but the functions must agree.
 #pragma once
 
 #include <span>

@@ -5,8 +5,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <limits>
 #include <random>
 
+#include "cli/number_checks.hpp"
 #include "cli/program.hpp"
 
 namespace raytorus::bench {
@@ -54,12 +56,13 @@ void addOptions(CLI::App& app, BenchOptions& options, Texts& texts, CLI::Option*
         ->option_text("NAME,... [nearest,any,all]");
     app.add_flag("--quick", texts.quick, "An eighth of the workloads, 9 rounds");
     app.add_option("--rays", texts.rays, "Different rays of a workload: 4096, 16384, 65536 or 262144")
-        ->check(CLI::IsMember({4096, 16384, 65536, 262144}))
+        ->check(cli::wholeNumber(4096, 262144) & CLI::IsMember({4096, 16384, 65536, 262144}))
         ->option_text("N [65536]");
     app.add_option("--rounds", texts.rounds, "Timed runs of each method, in turns")
-        ->check(CLI::Range(1U, 1000U))
+        ->check(cli::wholeNumber(1, 1000))
         ->option_text("N [15]");
     seed = app.add_option("--seed", options.measure.seed, "A whole number, for the same rays again")
+               ->check(cli::wholeNumber(0, std::numeric_limits<std::uint64_t>::max()))
                ->option_text("N [fresh]");
     app.add_option("--json", options.json, "Write the results, as --against reads them")->option_text("FILE");
     app.add_option("--html", options.html, "Write the results as a page with plots")->option_text("FILE");

@@ -17,6 +17,7 @@
 #include "bench/table.hpp"
 #include "cli/program.hpp"
 #include "cli/progress.hpp"
+#include "core/console.hpp"
 #include "core/file.hpp"
 #include "render/fused_fma.hpp"
 
@@ -36,13 +37,13 @@ void writeTo(const std::unique_ptr<OutputFile>& file, const std::string& text) {
 }
 
 ExitCode list(const BenchOptions& options) {
-    fmt::print("workloads\n");
+    print("workloads\n");
     for (const Workload& workload : options.workloads) {
-        fmt::print("  {}\n", workload.name());
+        print("  {}\n", workload.name());
     }
-    fmt::print("methods\n");
+    print("methods\n");
     for (const TimedMethod& method : options.methods) {
-        fmt::print("  {:<21} {}\n", method.name, method.description);
+        print("  {:<21} {}\n", method.name, method.description);
     }
     return ExitCode::Ok;
 }
@@ -51,10 +52,10 @@ ExitCode countCode(const BenchOptions& options) {
     const std::unique_ptr<OutputFile> json = openOutput(options.json);
     chooseNullDevice(options.family);
     cli::withDevice(options.device, [&](gpu::Context& context) {
-        fmt::print("{} ({} {}), one ray in, one answer out\n\n", context.info().name,
-                   context.info().driverName, context.info().driverInfo);
+        print("{} ({} {}), one ray in, one answer out\n\n", context.info().name, context.info().driverName,
+              context.info().driverInfo);
         const std::vector<IsaRow> rows = countInstructions(context, options.methods, options.queries);
-        fmt::print("{}", isaText(rows));
+        print("{}", isaText(rows));
         writeTo(json, isaJson(context.info(), rows));
     });
     return ExitCode::Ok;
@@ -64,13 +65,13 @@ ExitCode countGroups(const BenchOptions& options) {
     const std::unique_ptr<OutputFile> json = openOutput(options.json);
     const std::optional<PartCosts> costs = countParts(options.family);
     cli::withDevice(options.device, [&](gpu::Context& context) {
-        fmt::print("{} ({} {}), nearest hits, seed {}\n\n", context.info().name, context.info().driverName,
-                   context.info().driverInfo, options.measure.seed);
+        print("{} ({} {}), nearest hits, seed {}\n\n", context.info().name, context.info().driverName,
+              context.info().driverInfo, options.measure.seed);
         cli::Progress progress("counting");
         const std::vector<GroupRow> rows =
             measureGroups(context, {options.measure.seed, options.measure.side}, costs,
                           [&](double part) { progress.show(part); });
-        fmt::print("{}", groupsText(rows, costs));
+        print("{}", groupsText(rows, costs));
         writeTo(json, groupsJson(context.info(), options.measure.seed, rows, costs));
     });
     return ExitCode::Ok;
@@ -86,7 +87,7 @@ std::vector<TimedMethod> methodsFor(gpu::Context& context, std::vector<TimedMeth
             missing = "has an fma() that rounds twice";
         }
         if (!missing.empty()) {
-            fmt::print("{} is left out: {} {}\n", method.name, context.info().name, missing);
+            print("{} is left out: {} {}\n", method.name, context.info().name, missing);
         }
         return !missing.empty();
     });
@@ -95,7 +96,7 @@ std::vector<TimedMethod> methodsFor(gpu::Context& context, std::vector<TimedMeth
 
 BenchRun measureAll(gpu::Context& context, const BenchOptions& options) {
     BenchRun run{describeMachine(context), options.measure.seed, options.measure.rounds, {}};
-    fmt::print("{}\nseed {}, {} rounds\n", machineText(run.machine), run.seed, run.rounds);
+    print("{}\nseed {}, {} rounds\n", machineText(run.machine), run.seed, run.rounds);
     Measurer measurer(context, methodsFor(context, options.methods), options.measure);
     cli::Progress progress("timing");
     for (std::size_t i = 0; i < options.workloads.size(); ++i) {
@@ -103,7 +104,7 @@ BenchRun measureAll(gpu::Context& context, const BenchOptions& options) {
             progress.show((static_cast<double>(i) + part) / static_cast<double>(options.workloads.size()));
         };
         for (CellResult& cell : measurer.measure(options.workloads[i], options.queries, show)) {
-            fmt::print("\n{}", tableText(cell));
+            print("\n{}", tableText(cell));
             std::fflush(stdout);
             run.cells.push_back(std::move(cell));
         }
@@ -121,19 +122,19 @@ ExitCode measure(const BenchOptions& options) {
     std::vector<std::string> faults;
     cli::withDevice(options.device, [&](gpu::Context& context) {
         const BenchRun run = measureAll(context, options);
-        fmt::print("\n{}\n{}", steadinessText(run), summaryText(run));
+        print("\n{}\n{}", steadinessText(run), summaryText(run));
         const std::vector<Bar> bars = measureBars(run);
         if (!bars.empty()) {
-            fmt::print("\n{}", barsText(bars));
+            print("\n{}", barsText(bars));
         }
         if (reference) {
-            fmt::print("\n{}", againstText(*reference, run));
+            print("\n{}", againstText(*reference, run));
         }
         writeTo(json, runJson(run));
         writeTo(html, runHtml(run));
         faults = libraryFaults(run);
         for (const std::string& fault : faults) {
-            fmt::print("{}\n", fault);
+            print("{}\n", fault);
         }
     });
     return faults.empty() ? ExitCode::Ok : ExitCode::ComparisonFailed;

@@ -6,6 +6,7 @@
 
 #include "cli/command.hpp"
 #include "cli/program.hpp"
+#include "core/console.hpp"
 
 namespace raytorus::cli {
 namespace {
@@ -43,10 +44,13 @@ std::string usageProblem(const CLI::App& app, const CLI::ParseError& error) {
     if (incomplete && !unknown.empty()) {
         const std::string& first = unknown.front();
         if (first.starts_with('-')) {
-            return fmt::format("there is no option {}", first);
+            return unknownOption(hasCommand ? *app.get_subcommands().back() : app, first);
         }
-        return hasCommand ? fmt::format("\"{}\" is one argument too many", first)
-                          : fmt::format("there is no command \"{}\"", first);
+        const std::vector<std::string> commands = {"render",  "trace",  "compare",
+                                                   "explain", "golden", "doctor"};
+        return hasCommand
+                   ? fmt::format("\"{}\" is one argument too many", excerpt(first))
+                   : fmt::format("there is no command \"{}\"{}", excerpt(first), suggestion(first, commands));
     }
     return incomplete && !hasCommand
                ? "a command is missing: render, trace, compare, explain, golden or doctor"

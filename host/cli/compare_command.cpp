@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "cli/command.hpp"
+#include "core/console.hpp"
 #include "image/compare.hpp"
 #include "image/comparison_text.hpp"
 #include "image/difference.hpp"
@@ -121,9 +122,9 @@ ExitCode runCompare(const CompareOptions& options) {
     const image::Image actual = image::readImage(options.actual);
     const image::Comparison comparison = image::compare(expected, actual, options.rules);
     if (options.json) {
-        fmt::print("{}\n", image::jsonText(comparison));
+        print("{}\n", image::jsonText(comparison));
     } else {
-        fmt::print("{}{}\n", image::numbersTable(comparison), comparison.sentence);
+        print("{}{}\n", image::numbersTable(comparison), comparison.sentence);
     }
     if (!options.differencePath.empty() && comparison.verdict != image::Verdict::SizeDiffers) {
         image::writeImage(options.differencePath, image::differenceImage(expected, actual, options.rules));

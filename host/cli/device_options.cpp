@@ -6,6 +6,9 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "cli/number_checks.hpp"
+#include "core/console.hpp"
+
 namespace raytorus::cli {
 
 render::ShaderSource DeviceOptions::shaders() const {
@@ -22,7 +25,7 @@ void addDeviceOptions(CLI::App& command, DeviceOptions& options) {
     command
         .add_option("--timeout", options.context.timeoutSeconds,
                     "Longest time for one piece of work on the device (exit code 10)")
-        ->check(CLI::Range(1e-6, 1e6))
+        ->check(decimalNumber(1e-6, 1e6))
         ->option_text("SECONDS [120]");
     command
         .add_option("--shaders", options.shaderFolder, "Use DIR/<shader>.spv instead of the built-in shaders")
@@ -31,7 +34,7 @@ void addDeviceOptions(CLI::App& command, DeviceOptions& options) {
 
 void withDevice(const DeviceOptions& options, const std::function<void(gpu::Context&)>& work) {
     const auto log = std::make_shared<gpu::ValidationLog>(
-        [&](const std::string& message) { fmt::print(stderr, "{}: {}\n", options.program, message); });
+        [&](const std::string& message) { writeError(fmt::format("{}: {}\n", options.program, message)); });
     try {
         gpu::Context context(options.context, log);
         work(context);

@@ -9,6 +9,7 @@
 
 #include "cli/command.hpp"
 #include "cli/device_options.hpp"
+#include "core/console.hpp"
 #include "gpu/context.hpp"
 #include "gpu/result.hpp"
 #include "render/fused_fma.hpp"
@@ -25,40 +26,38 @@ Examples:
 void printLoader() {
     std::uint32_t loader = 0;
     gpu::check(vkEnumerateInstanceVersion(&loader), "vkEnumerateInstanceVersion");
-    fmt::print("raytorus {}\nVulkan loader {}\n", version(), gpu::versionText(loader));
+    print("raytorus {}\nVulkan loader {}\n", version(), gpu::versionText(loader));
     for (const char* name : {"VK_DRIVER_FILES", "VK_ICD_FILENAMES", "VK_ADD_DRIVER_FILES",
                              "VK_LOADER_DRIVERS_SELECT", "VK_LAYER_PATH", "VK_INSTANCE_LAYERS"}) {
         if (const char* value = std::getenv(name)) {
-            fmt::print("  {}={}\n", name, value);
+            print("  {}={}\n", name, value);
         }
     }
 }
 
 void printLayers() {
-    fmt::print("Layers\n");
+    print("Layers\n");
     for (const VkLayerProperties& layer : gpu::instanceLayers()) {
-        fmt::print("  {} {}: {}\n", layer.layerName, gpu::versionText(layer.specVersion), layer.description);
+        print("  {} {}: {}\n", layer.layerName, gpu::versionText(layer.specVersion), layer.description);
     }
-    fmt::print("  --validate {}\n",
-               gpu::validationLayerAvailable()
-                   ? "works"
-                   : "needs VK_LAYER_KHRONOS_validation (Debian: vulkan-validationlayers)");
+    print("  --validate {}\n", gpu::validationLayerAvailable()
+                                   ? "works"
+                                   : "needs VK_LAYER_KHRONOS_validation (Debian: vulkan-validationlayers)");
 }
 
 void printDevice(const gpu::DeviceInfo& device) {
-    fmt::print(
-        "  {}: {} ({}), Vulkan {}\n     driver {}, {}\n     {:.1f} GiB of device memory, timestamps {}\n",
-        device.index, device.name, device.type, gpu::versionText(device.apiVersion), device.driverName,
-        device.driverInfo, std::ldexp(static_cast<double>(device.deviceMemory), -30),
-        device.timestampPeriod > 0.0 ? fmt::format("every {} ns", device.timestampPeriod) : "none");
+    print("  {}: {} ({}), Vulkan {}\n     driver {}, {}\n     {:.1f} GiB of device memory, timestamps {}\n",
+          device.index, device.name, device.type, gpu::versionText(device.apiVersion), device.driverName,
+          device.driverInfo, std::ldexp(static_cast<double>(device.deviceMemory), -30),
+          device.timestampPeriod > 0.0 ? fmt::format("every {} ns", device.timestampPeriod) : "none");
     for (const std::string& fact : device.features) {
-        fmt::print("     has {}\n", fact);
+        print("     has {}\n", fact);
     }
     for (const std::string& refusal : device.refusals) {
-        fmt::print("     refused: {}\n", refusal);
+        print("     refused: {}\n", refusal);
     }
     if (device.suitable()) {
-        fmt::print("     suitable\n");
+        print("     suitable\n");
     }
 }
 
@@ -66,16 +65,16 @@ ExitCode runDoctor() {
     printLoader();
     printLayers();
     const std::vector<gpu::DeviceInfo> devices = gpu::surveyDevices();
-    fmt::print("Devices\n");
+    print("Devices\n");
     for (const gpu::DeviceInfo& device : devices) {
         printDevice(device);
     }
     const gpu::DeviceInfo chosen = gpu::pickDevice(devices, "");
-    fmt::print("raytorus uses device {}, {}, unless --device says otherwise\n", chosen.index, chosen.name);
+    print("raytorus uses device {}, {}, unless --device says otherwise\n", chosen.index, chosen.name);
     withDevice({}, [](gpu::Context& context) {
-        fmt::print("  its fma() {}\n", render::fusesFma(context)
-                                           ? "rounds once: shaders may define TORUS_FUSED_FMA"
-                                           : "rounds twice: shaders must not define TORUS_FUSED_FMA");
+        print("  its fma() {}\n", render::fusesFma(context)
+                                      ? "rounds once: shaders may define TORUS_FUSED_FMA"
+                                      : "rounds twice: shaders must not define TORUS_FUSED_FMA");
     });
     return ExitCode::Ok;
 }

@@ -12,6 +12,7 @@
 #include "cli/number_text.hpp"
 #include "cli/option_text.hpp"
 #include "cli/pixel_option.hpp"
+#include "core/console.hpp"
 #include "core/file.hpp"
 #include "explain/explain.hpp"
 #include "explain/json.hpp"
@@ -93,6 +94,7 @@ ExitCode runExplain(const ExplainCommand& command) {
     const auto [torus, ray] = torusAndRay(command, sentence);
     std::optional<OutputFile> picture;
     if (!command.svg.empty()) {
+        refuseToOverwrite("--svg", command.svg, command.scene);
         picture.emplace(command.svg);
     }
     explain::Explanation explanation;
@@ -104,9 +106,9 @@ ExitCode runExplain(const ExplainCommand& command) {
         picture->commit();
     }
     if (command.json) {
-        fmt::print("{}\n", explain::jsonOf(explanation));
+        print("{}\n", explain::jsonOf(explanation));
     } else {
-        fmt::print("{}{}", sentence.empty() ? "" : sentence + "\n\n", explain::textOf(explanation));
+        print("{}{}", sentence.empty() ? "" : sentence + "\n\n", explain::textOf(explanation));
     }
     return ExitCode::Ok;
 }

@@ -12,7 +12,7 @@ namespace {
 
 template <typename Number>
 std::optional<Number> parseWhole(std::string_view text) {
-    if (!text.empty() && text.front() == '+') {
+    if (text.size() > 1 && text.front() == '+' && text[1] != '-') {  // std::from_chars knows no +
         text.remove_prefix(1);
     }
     Number value{};

@@ -3,11 +3,21 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <system_error>
+
 #include "cli/number_text.hpp"
 #include "core/error.hpp"
 #include "render/scene.hpp"
 
 namespace raytorus::cli {
+
+void refuseToOverwrite(const char* option, const std::string& output, const std::string& input) {
+    std::error_code none;
+    if (std::filesystem::equivalent(output, input, none)) {
+        throw Error(ExitCode::Usage, fmt::format("{} would overwrite \"{}\", which is read", option, input));
+    }
+}
 
 std::pair<int, int> sizeOption(const std::string& text) {
     const auto size = parseSize(text);

@@ -10,6 +10,9 @@
 
 namespace raytorus::cli {
 
+/// Throws Error{Usage} if the output is the file that is read: a slip must not cost it.
+void refuseToOverwrite(const char* option, const std::string& output, const std::string& input);
+
 /// --size: "960x640".
 std::pair<int, int> sizeOption(const std::string& text);
 

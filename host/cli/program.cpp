@@ -1,33 +1,99 @@
 // SPDX-License-Identifier: MIT
 #include "cli/program.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <new>
+#include <numeric>
+#include <system_error>
+#include <utility>
+
+#include "core/console.hpp"
+#include "core/output_file.hpp"
 
 namespace raytorus::cli {
 namespace {
 
 ExitCode fail(std::string_view name, ExitCode code, std::string_view message) {
-    fmt::print(stderr, "{}: {}\n", name, message);
+    writeError(fmt::format("{}: {}\n", name, message));
     return code;
+}
+
+// Letters put in, left out or exchanged (Levenshtein).
+std::size_t changesBetween(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t before = std::exchange(row[0], i + 1);
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t exchanged = before + (a[i] == b[j] ? 0U : 1U);
+            before = row[j + 1];
+            row[j + 1] = std::min({exchanged, row[j] + 1, before + 1});
+        }
+    }
+    return row.back();
+}
+
+// What is opened next would get the number of a standard stream that the caller has closed, and what is said
+// would go there. From this nothing can be read, and to it nothing written.
+void holdStandardStreams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (fcntl(stream, F_GETFD) < 0) {
+            static_cast<void>(open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
+        }
+    }
 }
 
 }  // namespace
 
 ExitCode runProgram(std::string_view name, const std::function<ExitCode()>& work) {
+    holdStandardStreams();
+    cleanUpOnSignals();
     try {
-        return work();
+        const ExitCode code = work();
+        flushOutput();
+        return code;
     } catch (const Error& error) {
         return fail(name, error.exitCode, error.what());
     } catch (const std::bad_alloc&) {
         return fail(name, ExitCode::OutOfMemory, "out of memory");
+    } catch (const std::system_error& error) {
+        const bool threads = error.code() == std::errc::resource_unavailable_try_again;
+        return threads ? fail(name, ExitCode::OutOfMemory, "the system allows no more threads")
+                       : fail(name, ExitCode::Internal, fmt::format("internal error: {}", error.what()));
     } catch (const std::exception& error) {
         return fail(name, ExitCode::Internal, fmt::format("internal error: {}", error.what()));
     }
+}
+
+std::string suggestion(const std::string& word, const std::vector<std::string>& known) {
+    std::size_t fewest = word.size() / 3 + 1;  // changes; with more it is another word
+    std::string best;
+    for (const std::string& name : known) {
+        const std::size_t changes = changesBetween(word, name);
+        if (changes < fewest || (changes == fewest && best.empty())) {
+            fewest = changes;
+            best = name;
+        }
+    }
+    return best.empty() ? "" : fmt::format("; did you mean {}?", best);
+}
+
+std::string unknownOption(const CLI::App& app, const std::string& word) {
+    const std::string name = word.substr(0, word.find('='));
+    std::vector<std::string> known;
+    for (const CLI::Option* option : app.get_options()) {
+        for (const std::string& longName : option->get_lnames()) {
+            known.push_back("--" + longName);
+        }
+    }
+    return fmt::format("there is no option {}{}", excerpt(name), suggestion(name, known));
 }
 
 bool parse(CLI::App& app, const std::vector<std::string>& arguments) {
@@ -38,7 +104,11 @@ bool parse(CLI::App& app, const std::vector<std::string>& arguments) {
         app.exit(success);
         return false;
     } catch (const CLI::ParseError& error) {
-        throw Error(ExitCode::Usage, fmt::format("{} (see {} --help)", error.what(), app.get_name()));
+        const std::vector<std::string> unknown = app.remaining();
+        const bool option = !unknown.empty() && unknown.front().starts_with('-');
+        throw Error(ExitCode::Usage,
+                    fmt::format("{} (see {} --help)",
+                                option ? unknownOption(app, unknown.front()) : error.what(), app.get_name()));
     }
     return true;
 }

@@ -16,6 +16,12 @@ namespace raytorus::cli {
 /// error, after the program's name.
 ExitCode runProgram(std::string_view name, const std::function<ExitCode()>& work);
 
+/// "; did you mean --size?" of the known word that is nearest to this one, or nothing if none is near.
+std::string suggestion(const std::string& word, const std::vector<std::string>& known);
+
+/// "there is no option --sise; did you mean --size?"
+std::string unknownOption(const CLI::App& app, const std::string& word);
+
 /// Reads the command line of a program that has no commands. False where --help or --version has been
 /// answered and nothing is left to do. Throws Error{Usage}.
 bool parse(CLI::App& app, const std::vector<std::string>& arguments);

@@ -41,8 +41,10 @@ void Progress::show(double done) {
     shown = true;
     const double part = std::clamp(done, 0.0, 1.0);
     const int filled = static_cast<int>(part * barWidth);
-    fmt::print(stderr, "\r\033[K{} [{:#<{}}{:.<{}}] {:3.0f} % {:.0f} s left", label, "", filled, "",
-               barWidth - filled, 100.0 * part, part > 0.0 ? elapsed * (1.0 - part) / part : 0.0);
+    const double left = part > 0.0 ? elapsed * (1.0 - part) / part : 0.0;
+    const std::string bar = fmt::format("\r\033[K{} [{:#<{}}{:.<{}}] {:3.0f} % {:.0f} s left", label, "",
+                                        filled, "", barWidth - filled, 100.0 * part, left);
+    std::fputs(bar.c_str(), stderr);
     std::fflush(stderr);
 }
 

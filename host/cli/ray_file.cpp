@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "cli/number_text.hpp"
+#include "core/console.hpp"
 #include "core/error.hpp"
 
 namespace raytorus::cli {
@@ -45,17 +46,13 @@ struct Fields {
     std::size_t count = 0;
 };
 
-// A header names all the columns: none of its fields is a number.
+// The names of the columns, in their order. Any other line that holds no ray is a fault: a first ray that is
+// misspelt would else be taken for names, and be lost.
+constexpr std::array<std::string_view, rayFields> columnNames = {
+    "originX", "originY", "originZ", "tMin", "directionX", "directionY", "directionZ", "tMax"};
+
 bool isHeader(const Fields& fields) {
-    if (fields.count != rayFields) {
-        return false;  // a line with other separators would otherwise pass for one, and its ray be lost
-    }
-    for (const std::string_view field : fields.texts) {
-        if (field.empty() || parseFloat(field)) {
-            return false;
-        }
-    }
-    return true;
+    return fields.count == rayFields && fields.texts == columnNames;
 }
 
 // The sign, the nine digits of a float32, and what fmt puts between or behind them: a point and four zeros
@@ -90,11 +87,15 @@ RayFormat formatOf(const std::filesystem::path& path) {
 }
 
 RayReader::RayReader(const std::filesystem::path& rayPath, RayFormat rayFormat)
-    : path(rayPath),
-      format(rayFormat),
-      file(openForReading(rayPath)),
-      size(std::filesystem::file_size(rayPath)) {
-    if (format == RayFormat::Raw && size % sizeof(render::TraceRay) != 0) {
+    : path(rayPath), format(rayFormat) {
+    if (format == RayFormat::Csv) {
+        lines.emplace(rayPath);
+        size = lines->size();
+        return;
+    }
+    raw.emplace(rayPath);
+    size = raw->size();
+    if (size % sizeof(render::TraceRay) != 0) {
         throw Error(
             ExitCode::File,
             fmt::format(
@@ -116,7 +117,7 @@ std::size_t RayReader::readRaw(std::span<render::TraceRay> room) {
     const std::size_t count =
         std::min<std::uint64_t>(room.size(), (size - position) / sizeof(render::TraceRay));
     const std::span<std::byte> bytes = std::as_writable_bytes(room.first(count));
-    if (!file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()))) {
+    if (raw->read(bytes) < bytes.size()) {
         throw Error(ExitCode::File, fmt::format("\"{}\" ended while it was being read", path.string()));
     }
     position += bytes.size();
@@ -125,19 +126,26 @@ std::size_t RayReader::readRaw(std::span<render::TraceRay> room) {
 
 std::size_t RayReader::readCsv(std::span<render::TraceRay> room) {
     std::size_t count = 0;
-    while (count < room.size() && std::getline(file, text)) {
-        ++line;
-        position += text.size() + 1;
-        count += readLine(room[count]) ? 1U : 0U;
+    while (count < room.size()) {
+        const std::optional<std::string_view> line = lines->next();
+        if (!line) {
+            break;
+        }
+        count += readLine(*line, room[count]) ? 1U : 0U;
     }
+    position = lines->position();
     return count;
 }
 
+void RayReader::failLine(std::string_view what) const {
+    throw Error(ExitCode::File, fmt::format("\"{}\", line {}: {}", path.string(), lines->number(), what));
+}
+
 // False: the line holds no ray and needs none.
-bool RayReader::readLine(render::TraceRay& ray) {
-    std::string_view content = trimmed(text);
+bool RayReader::readLine(std::string_view line, render::TraceRay& ray) {
+    std::string_view content = trimmed(line);
     constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";  // spreadsheets write one
-    if (line == 1 && content.starts_with(byteOrderMark)) {
+    if (lines->number() == 1 && content.starts_with(byteOrderMark)) {
         content.remove_prefix(byteOrderMark.size());
     }
     if (content.empty() || content.front() == '#') {
@@ -148,18 +156,15 @@ bool RayReader::readLine(render::TraceRay& ray) {
         return false;
     }
     if (fields.count != rayFields) {
-        throw Error(
-            ExitCode::File,
-            fmt::format("\"{}\", line {}: {} values instead of 8 (origin x, y, z, tMin, direction x, y, z, "
-                        "tMax)",
-                        path.string(), line, fields.count));
+        failLine(fmt::format("{} values instead of 8 (origin x, y, z, tMin, direction x, y, z, tMax)",
+                             fields.count));
     }
     std::array<float, rayFields> values{};
     for (std::size_t i = 0; i < rayFields; ++i) {
-        const auto value = parseFloat(fields.texts[i]);
+        const std::optional<float> value = parseFloat(fields.texts[i]);
         if (!value) {
-            throw Error(ExitCode::File, fmt::format("\"{}\", line {}: \"{}\" is no float32 number",
-                                                    path.string(), line, fields.texts[i]));
+            failLine(fmt::format("column {}, {}: \"{}\" is no float32 number", i + 1, columnNames[i],
+                                 excerpt(fields.texts[i])));
         }
         values[i] = *value;
     }

@@ -4,9 +4,9 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
+#include <optional>
 #include <span>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/file.hpp"
@@ -36,15 +36,16 @@ public:
 private:
     std::size_t readRaw(std::span<render::TraceRay> room);
     std::size_t readCsv(std::span<render::TraceRay> room);
-    bool readLine(render::TraceRay& ray);
+    bool readLine(std::string_view line, render::TraceRay& ray);
+
+    [[noreturn]] void failLine(std::string_view what) const;
 
     std::filesystem::path path;
     RayFormat format;
-    std::ifstream file;
+    std::optional<InputFile> raw;
+    std::optional<LineReader> lines;
     std::uint64_t size = 0;
     std::uint64_t position = 0;  // bytes read
-    std::uint64_t line = 0;
-    std::string text;  // of the line
     bool headerAllowed = true;
 };
 

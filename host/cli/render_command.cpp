@@ -10,11 +10,13 @@
 #include "cli/device_options.hpp"
 #include "cli/frame_options.hpp"
 #include "cli/method_option.hpp"
+#include "cli/number_checks.hpp"
 #include "cli/number_text.hpp"
 #include "cli/option_text.hpp"
 #include "cli/picture_writer.hpp"
 #include "cli/progress.hpp"
 #include "cli/render_stats.hpp"
+#include "core/console.hpp"
 #include "core/file.hpp"
 #include "image/image_io.hpp"
 #include "render/renderer.hpp"
@@ -198,7 +200,7 @@ void renderPicture(const RenderCommand& command, const render::Scene& scene, Mea
     stats.samplesPerPixel = options.samplesPerSide * options.samplesPerSide;
     stats.total = std::chrono::duration<double>(Clock::now() - measured.begin).count();
     if (!command.stats.empty()) {
-        fmt::print("{}\n", command.stats == "json" ? statsJson(stats) : statsText(stats));
+        print("{}\n", command.stats == "json" ? statsJson(stats) : statsText(stats));
     }
 }
 
@@ -245,7 +247,7 @@ void addRenderCommand(CLI::App& app, Action& action) {
     sub->add_option("--stats", command->stats, "Print where the time went")->option_text("text|json");
     sub->add_option("--repeat", command->options.repeats,
                     "Render so many times and let --stats show the fastest, without what happens only once")
-        ->check(CLI::Range(1, 1000000))
+        ->check(wholeNumber(1, 1000000))
         ->option_text("N [1]");
     addFrameOptions(*sub, command->frames);
     addMethodOrReferenceOption(*sub, command->method);

@@ -6,15 +6,17 @@
 #include <array>
 #include <filesystem>
 #include <memory>
-#include <system_error>
 
 #include "cli/command.hpp"
 #include "cli/device_options.hpp"
 #include "cli/method_option.hpp"
 #include "cli/number_text.hpp"
+#include "cli/option_text.hpp"
 #include "cli/progress.hpp"
 #include "cli/ray_batches.hpp"
 #include "cli/ray_file.hpp"
+#include "core/console.hpp"
+#include "core/torus_range.hpp"
 #include "render/tracer.hpp"
 #include "verify/reference_tracer.hpp"
 
@@ -51,15 +53,6 @@ struct TraceCommand {
     DeviceOptions device;
 };
 
-// The rays are read while the hits are written, and a slip must not cost them.
-void refuseToOverwriteRays(const TraceCommand& command) {
-    std::error_code ignored;
-    if (std::filesystem::equivalent(command.rays, command.hits, ignored)) {
-        throw Error(ExitCode::Usage,
-                    fmt::format("--output would overwrite the rays in \"{}\"", command.rays));
-    }
-}
-
 void traceExactly(BatchStages& stages,
                   const std::function<std::size_t(std::span<render::TraceRay>)>& readInto,
                   render::Query query, std::pair<float, float> radii) {
@@ -90,13 +83,17 @@ ExitCode runTrace(const TraceCommand& command) {
         throw Error(ExitCode::Usage,
                     fmt::format("--torus needs R >= 0 and r > 0, not \"{}\"", command.torus));
     }
+    if (!isTorusInRange(majorRadius, minorRadius)) {
+        throw Error(ExitCode::Usage, fmt::format("--torus needs R + r from {:g} to {:g}, not \"{}\"",
+                                                 smallestTorus, largestTorus, excerpt(command.torus)));
+    }
     const render::Query query = command.all   ? render::Query::All
                                 : command.any ? render::Query::Any
                                               : render::Query::Nearest;
     const bool exact = isReference(command.method, command.device);
     const render::ShaderSource shaders =
         exact ? render::ShaderSource() : shadersOf(command.method, command.device);
-    refuseToOverwriteRays(command);
+    refuseToOverwrite("--output", command.hits, command.rays);
     RayReader reader(command.rays, formatOf(command.rays));
     HitWriter writer(command.hits, formatOf(command.hits), query);
     Progress progress("tracing");

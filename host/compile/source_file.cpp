@@ -33,13 +33,13 @@ public:
 };
 
 SourceFile unreadable(std::string problem) {
-    return {{}, std::move(problem), false};
+    return {{}, std::move(problem), false, {}};
 }
 
 SourceFile failed(int code) {
     // Also if what should be a folder above it is a file.
     if (code == ENOENT || code == ENOTDIR) {
-        return {{}, "there is no such file", true};
+        return {{}, "there is no such file", true, {}};
     }
     std::string reason = std::generic_category().message(code);
     reason.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(reason.front())));
@@ -72,7 +72,11 @@ SourceFile readSourceFile(const std::filesystem::path& path) {
         }
         size += count > 0 ? static_cast<std::size_t>(count) : 0;
         if (size > maxSourceBytes) {
-            return unreadable(fmt::format("it has more than {} bytes", maxSourceBytes));
+            SourceFile tooLarge = unreadable(fmt::format("it has more than {} bytes", maxSourceBytes));
+            tooLarge.version =
+                fmt::format(" {} {} {}.{:09} {}.{:09}", status.st_ino, status.st_size, status.st_mtim.tv_sec,
+                            status.st_mtim.tv_nsec, status.st_ctim.tv_sec, status.st_ctim.tv_nsec);
+            return tooLarge;
         }
     }
     source.text.resize(size);
@@ -87,7 +91,7 @@ SourceFile readSourceFile(const std::filesystem::path& path) {
 }
 
 std::string fingerprint(const SourceFile& file) {
-    return file.problem.empty() ? sha256(std::as_bytes(std::span(file.text))) : file.problem;
+    return file.problem.empty() ? sha256(std::as_bytes(std::span(file.text))) : file.problem + file.version;
 }
 
 }  // namespace raytorus::compile

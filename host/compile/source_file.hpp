@@ -19,6 +19,8 @@ struct SourceFile {
     std::string problem;
     /// There is no such file. One of the problems, and the only one at which a search goes on.
     bool missing = false;
+    /// Of a file that is too large to be read: size and times, which tell one state of it from another.
+    std::string version;
 };
 
 /// A regular file of at most maxSourceBytes, without zero bytes and byte order mark; all else is a problem.

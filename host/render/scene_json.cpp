@@ -16,6 +16,7 @@
 
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "core/torus_range.hpp"
 #include "render/bvh.hpp"
 #include "render/json_node.hpp"
 
@@ -144,9 +145,11 @@ Material readMaterial(const JsonNode& node) {
     readOptional(node, "specular", material.specular,
                  [](const JsonNode& color) { return color.reflectance(); });
     readOptional(node, "roughness", material.roughness, [](const JsonNode& roughness) {
+        // Its fourth power is still a normal float32.
+        constexpr double least = 1e-6;
         const double value = roughness.value().is_number() ? roughness.number() : 0.0;
-        if (!(value > 0.0 && value <= 1.0)) {
-            roughness.failExpecting("a number above 0 and up to 1");
+        if (!(value >= least && value <= 1.0)) {
+            roughness.failExpecting("a number from 1e-6 to 1");
         }
         return value;
     });
@@ -242,9 +245,10 @@ TorusInstance readTorus(const JsonNode& node, MaterialTable& materials) {
         expectFloat(majorRadius, torus.scale * torus.majorRadius);
     }
     expectFloat(minorRadius, torus.scale * torus.minorRadius);
-    const Box box = boundsOf(torus);
-    if (!(largest(glm::max(-box.minimum, box.maximum)) <= floatMax)) {
-        node.fail("the torus reaches beyond the range of float32 (3.4e38)");
+    if (!isTorusInRange(torus.scale * torus.majorRadius, torus.scale * torus.minorRadius)) {
+        node.fail(fmt::format("the radii together, times the scale, are {:g}; they may be {:g} to {:g}",
+                              torus.scale * (torus.majorRadius + torus.minorRadius), smallestTorus,
+                              largestTorus));
     }
     return torus;
 }

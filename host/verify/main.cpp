@@ -9,6 +9,7 @@
 #include "bench/methods/methods.hpp"
 #include "cli/program.hpp"
 #include "cli/progress.hpp"
+#include "core/console.hpp"
 #include "core/file.hpp"
 #include "verify/replay_text.hpp"
 #include "verify/verifier.hpp"
@@ -43,14 +44,14 @@ std::vector<std::string> listFaults(const VerifyOptions& options, const std::vec
         }
         broken.insert(broken.end(), bars.begin(), bars.end());
         for (const std::string& bar : bars) {
-            fmt::print("{}\n", bar);
+            print("{}\n", bar);
         }
         for (const Example& example : result.statistics.examples) {
-            fmt::print("  {}: {}\n", nameOf(example.fault),
-                       replayCommand(options.method, example.torus, example.ray));
+            print("  {}: {}\n", nameOf(example.fault),
+                  replayCommand(options.method, example.torus, example.ray));
         }
         if (result.statistics.faultCount() == 0) {
-            fmt::print(
+            print(
                 "  position: {}\n  t: {}\n",
                 replayCommand(options.method, result.statistics.position.worstTorus,
                               result.statistics.position.worstRay),
@@ -66,19 +67,19 @@ ExitCode verifyAll(gpu::Context& context, Verifier& verifier, const VerifyOption
     if (!options.json.empty()) {
         file.emplace(options.json);
     }
-    fmt::print("seed {}{}, {} rays a cell, {} ({})\n", options.seed, options.seedOfTheDay ? " (today)" : "",
-               options.rays, context.info().name, context.info().driverInfo);
+    print("seed {}{}, {} rays a cell, {} ({})\n", options.seed, options.seedOfTheDay ? " (today)" : "",
+          options.rays, context.info().name, context.info().driverInfo);
     std::fflush(stdout);
     const auto start = std::chrono::steady_clock::now();
     const std::vector<CellResult> results = verifyCells(verifier, options);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    fmt::print("{}", tableText(results, options.rows));
+    print("{}", tableText(results, options.rows));
     // Bars are the library's promises; other methods have made none.
     const std::optional<reference::Tier> tier = findMethod(options.method)->tier;
     const std::vector<std::string> broken =
         tier ? listFaults(options, results, *tier) : std::vector<std::string>();
     const auto rays = static_cast<double>(options.rays) * static_cast<double>(results.size());
-    fmt::print("{:.3g} rays in {:.1f} s: {:.3g} million a minute\n", rays, seconds, 60e-6 * rays / seconds);
+    print("{:.3g} rays in {:.1f} s: {:.3g} million a minute\n", rays, seconds, 60e-6 * rays / seconds);
     if (file) {
         const Run run{options.method, options.seed,        options.rays,
                       seconds,        context.info().name, context.info().driverInfo};
@@ -88,7 +89,7 @@ ExitCode verifyAll(gpu::Context& context, Verifier& verifier, const VerifyOption
     if (!tier) {
         return ExitCode::Ok;
     }
-    fmt::print("{}\n", broken.empty() ? "every bar is held" : fmt::format("{} bar(s) broken", broken.size()));
+    print("{}\n", broken.empty() ? "every bar is held" : fmt::format("{} bar(s) broken", broken.size()));
     return broken.empty() ? ExitCode::Ok : ExitCode::ComparisonFailed;
 }
 
@@ -99,7 +100,7 @@ ExitCode run(const VerifyOptions& options) {
         if (options.replay) {
             const auto& [torus, ray] = *options.replay;
             const Verifier::Replay replay = verifier.replay(torus, ray);
-            fmt::print("{}", replayText(torus, ray, replay));
+            print("{}", replayText(torus, ray, replay));
             code = replay.judgement.fault == Fault::None ? ExitCode::Ok : ExitCode::ComparisonFailed;
         } else {
             code = verifyAll(context, verifier, options);

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "cli/method_option.hpp"
+#include "cli/number_checks.hpp"
 #include "cli/option_text.hpp"
 #include "cli/program.hpp"
 #include "core/error.hpp"
@@ -69,19 +70,6 @@ std::uint64_t parseSeed(const std::string& text) {
     return seed;
 }
 
-void requireSizes(const CellChoice& choice) {
-    for (const float radius : choice.radii) {
-        if (!(radius >= 1e-7F && radius <= 1e4F)) {
-            throw Error(ExitCode::Usage, fmt::format("--radius is r/R from 1e-7 to 1e4, not {:g}", radius));
-        }
-    }
-    for (const double distance : choice.distances) {
-        if (!(distance >= 1.0 && distance <= 1e12)) {
-            throw Error(ExitCode::Usage, fmt::format("--distance is D/R from 1 to 1e12, not {:g}", distance));
-        }
-    }
-}
-
 }  // namespace
 
 std::uint64_t seedOfToday() {
@@ -106,12 +94,14 @@ std::optional<VerifyOptions> parseOptions(const std::vector<std::string>& argume
         ->option_text("NAME,...");
     app.add_option("--radius", options.cells.radii, "Minor radii; the major radius is 1")
         ->delimiter(',')
+        ->check(cli::decimalNumber(1e-7, 1e4))
         ->option_text("r,...");
     app.add_option("--distance", options.cells.distances, "Distances of the origins from the centre, in R")
         ->delimiter(',')
+        ->check(cli::decimalNumber(1.0, 1e12))
         ->option_text("D,...");
     app.add_option("--rays", options.rays, "Rays a cell")
-        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40U))
+        ->check(cli::wholeNumber(1, std::uint64_t{1} << 40U))
         ->option_text("N [20000]");
     app.add_option("--seed", seed, "A whole number, for the same rays again; today: the date")
         ->option_text("N [today]");
@@ -124,7 +114,7 @@ std::optional<VerifyOptions> parseOptions(const std::vector<std::string>& argume
                    "Judge one ray, as failures print it: R r, origin, tMin, direction, tMax")
         ->option_text("\"10 NUMBERS\"");
     app.add_option("--threads", options.threads, "Threads of the reference")
-        ->check(CLI::Range(1U, 1024U))
+        ->check(cli::wholeNumber(1, 1024))
         ->option_text("N [all]");
     options.device.program = programName;
     cli::addDeviceOptions(app, options.device);
@@ -134,7 +124,6 @@ std::optional<VerifyOptions> parseOptions(const std::vector<std::string>& argume
     for (const std::string& name : classes) {
         options.cells.classes.push_back(parseClass(name));
     }
-    requireSizes(options.cells);
     options.shaders = cli::shadersOf(options.method, options.device);
     options.rows = rows.empty() ? Rows::Radius : parseRows(rows);
     options.seedOfTheDay = seed.empty() || seed == "today";

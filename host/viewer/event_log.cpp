@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "core/console.hpp"
+
 namespace raytorus::viewer {
 
 void EventLog::write(std::string_view name, std::initializer_list<Field> fields) const {
@@ -17,8 +19,8 @@ void EventLog::write(std::string_view name, std::initializer_list<Field> fields)
     for (const auto& [key, value] : fields) {
         std::visit([&line, name = std::string(key)](const auto& item) { line[name] = item; }, value);
     }
-    fmt::print("{}\n", line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
-    std::fflush(stdout);
+    print("{}\n", line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    flushOutput();
 }
 
 }  // namespace raytorus::viewer

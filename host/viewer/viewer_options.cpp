@@ -7,9 +7,11 @@
 #include <cmath>
 #include <tuple>
 
+#include "cli/number_checks.hpp"
 #include "cli/number_text.hpp"
 #include "cli/option_text.hpp"
 #include "cli/program.hpp"
+#include "core/console.hpp"
 #include "image/image_io.hpp"
 #include "viewer/commands.hpp"
 
@@ -140,14 +142,14 @@ std::optional<ViewerOptions> parseOptions(const std::vector<std::string>& argume
     app.add_option("--golden", options.golden, "What the view golden compares with; else the scene's own")
         ->option_text("FILE.exr");
     app.add_option("--time", options.time, "The scene's time at the beginning")
-        ->check(CLI::Range(-1e6, 1e6))
+        ->check(cli::decimalNumber(-1e6, 1e6))
         ->option_text("SECONDS [0]");
     app.add_flag("--paused", options.paused, "Time stands still until Space is pressed");
     app.add_flag("--no-panel", texts.noPanel, "Begin without the panel (Tab shows it)");
     app.add_flag("--keys", options.help, "Begin with the help on keys");
     app.add_option("--pick", texts.pick, "Take this pixel apart at the beginning")->option_text("X,Y");
     app.add_option("--frames", options.frames, "Close after so many frames, or pictures of a sequence")
-        ->check(CLI::Range(1, 1000000000))
+        ->check(cli::wholeNumber(1, 1000000000))
         ->option_text("N");
     app.add_option("--screenshot", options.screenshot, "Write the picture, then close")
         ->option_text("FILE.png|.exr");
@@ -168,7 +170,7 @@ std::optional<ViewerOptions> parseOptions(const std::vector<std::string>& argume
         return std::nullopt;
     }
     if (texts.listViews || texts.listKeys) {
-        fmt::print("{}{}", texts.listViews ? viewTable() : "", texts.listKeys ? keyTable() : "");
+        print("{}{}", texts.listViews ? viewTable() : "", texts.listKeys ? keyTable() : "");
         return std::nullopt;
     }
     if (options.scene.empty()) {
