@@ -38,15 +38,18 @@ double between(double low, double high, int sixtyFourths) {
 // 100 000 rays of a cell, the worst distance (docs/accuracy.md).
 double wrongPartNearTangents(const Cell& cell) {
     const float r = cell.minorRadius;
+    const bool near = cell.margin < 1e-5;
     switch (cell.rayClass) {
         case RayClass::topCircle:
-            return r >= 1e-3F ? 0.0 : r >= 1e-4F ? 1.5e-4 : r >= 1e-5F ? 1.8e-3 : r >= 1e-6F ? 0.027 : 0.086;
+            if (r < 1e-5F) {
+                return r >= 1e-6F ? (near ? 0.027 : 0.0085) : (near ? 0.086 : 0.06);
+            }
+            return r >= 1e-3F ? 0.0 : (r >= 1e-4F ? 1.5e-4 : 1.8e-3);
         case RayClass::dimpleCone:
         case RayClass::hornTip:
             return 2e-5;
         default:
-            return r >= 0.01F ? (cell.margin < 1e-5 ? 2e-6 : 0.0)
-                              : (r >= 1e-5F ? 5e-5 : (r >= 1e-6F ? 3e-4 : 1.9e-3));
+            return r >= 0.01F ? (near ? 2e-6 : 0.0) : (r >= 1e-5F ? 5e-5 : (r >= 1e-6F ? 3e-4 : 1.9e-3));
     }
 }
 

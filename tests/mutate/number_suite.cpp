@@ -75,7 +75,7 @@ std::vector<verify::Cell> cells() {
     std::vector<verify::Cell> cells = verify::chooseCells(choice);
     // Tubes as thin as the rounding of their place.
     cells.push_back({reference::RayClass::camera, 1e-7F, 3.0});
-    cells.push_back({reference::RayClass::topCircle, 1e-6F, 1.5, 1e-6, 1e-5});
+    cells.push_back({reference::RayClass::topCircle, 1e-7F, 3.0, 1e-5, 1e-4});
     cells.push_back({reference::RayClass::dimpleCone, 1.5F, 10.0, 1e-6, 1e-5});
     for (const float radius : {0.01F, 0.5F}) {
         cells.push_back({reference::RayClass::camera, radius, 1e4});
