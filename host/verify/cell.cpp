@@ -97,7 +97,7 @@ Bar fastBar(const Cell& cell) {
     const bool rarelyWrong = cell.minorRadius > 1.0F || cell.minorRadius < 0.05F;
     bar.wrongPart = rarelyWrong ? std::max(bar.wrongPart, 1e-5) : bar.wrongPart;
     if (near) {
-        bar.positionP99 = cell.minorRadius < 0.01F ? 1e-5 : 5e-6;
+        bar.positionP99 = 5e-6;
         bar.positionMax = bar.surfaceMax = 1e-2;
         // As much along the ray, in ulp of the shortest t that counts.
         bar.tP99 = bar.positionP99 * 0x1p28;
