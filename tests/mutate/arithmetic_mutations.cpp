@@ -82,7 +82,7 @@ constexpr Mutation rows[] = {
      "the bend of rho added"},
     {"bend-by-the-other-product", refine, "(p.x * d.y - p.y * d.x) * invRho",
      "(p.x * d.y + p.y * d.x) * invRho", "a sign of the cross product"},
-    {"bend-without-ring", refine, "bend = R * ((across", "bend = ((across", "a factor of the curvature"},
+    {"bend-without-ring", refine, "bend = R * rhoBend", "bend = rhoBend", "a factor of the curvature"},
     {"third-derivative-none", refine, "sixthThird = bendPerRho * rhoSlope", "sixthThird = 0.0",
      "near the axis a parabola is taken for the whole truth", Shows::InNumbers},
     {"fourth-derivative-none", refine, "fourth = bendPerRho * rhoBend", "fourth = 0.0",
