@@ -24,9 +24,10 @@ int dlclose(void*) {
 
 // By the module that allocated. lavapipe 22.3 leaks 128 bytes or more in a process; the validation
 // layers 1.3.239 leak each command buffer when they validate synchronization, even one that was allocated and
-// freed only.
+// freed only. radv 22.3 leaks each shader that it compiles without a cache.
 const char* __lsan_default_suppressions() {
     return "leak:libvulkan_lvp\n"
+           "leak:libvulkan_radeon\n"
            "leak:libVkLayer_khronos_validation\n";
 }
 

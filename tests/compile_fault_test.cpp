@@ -69,7 +69,8 @@ TEST_P(CompileFaults, Entry) {
     EXPECT_EQ(errorsOf(shader), std::string("e.comp: cannot read this shader: ") + GetParam().problem + "\n");
     ASSERT_EQ(shader.files.size(), 1U);
     EXPECT_EQ(shader.files[0].path, folder.path / "e.comp");
-    EXPECT_EQ(shader.files[0].fingerprint, GetParam().problem);
+    // Of a file that is too large, its size and times follow.
+    EXPECT_TRUE(shader.files[0].fingerprint.starts_with(GetParam().problem)) << shader.files[0].fingerprint;
 }
 
 TEST_P(CompileFaults, Include) {
@@ -86,7 +87,7 @@ TEST_P(CompileFaults, Include) {
     EXPECT_EQ(errorsOf(shader), "e.comp:6: cannot include \"part.glsl\": " + expected + "\n");
     ASSERT_EQ(shader.files.size(), 2U);
     EXPECT_EQ(shader.files[1].path, folder.path / "part.glsl");
-    EXPECT_EQ(shader.files[1].fingerprint, GetParam().problem);
+    EXPECT_TRUE(shader.files[1].fingerprint.starts_with(GetParam().problem)) << shader.files[1].fingerprint;
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -112,5 +112,14 @@ TEST_F(WindowFailure, HelpAndListsNeedNoDisplay) {
     }
 }
 
+TEST_F(WindowFailure, OfTheDisplay) {
+    auto own = std::make_unique<Display>(folder / "server.txt");
+    start({ring}, {{"DISPLAY", own->name()}});
+    await("settled");
+    own.reset();
+    const std::string words = expectEnd(ExitCode::DeviceLost);
+    EXPECT_EQ(words, "raytorus-view: the connection to the display has broken\n");
+}
+
 }  // namespace
 }  // namespace raytorus::test

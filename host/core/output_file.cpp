@@ -59,11 +59,7 @@ void forget(std::size_t place) {
 }
 
 extern "C" void removeUnfinished(int number) {
-    for (const Unfinished& one : unfinished) {
-        if (one.state == Full) {
-            unlink(one.path.data());
-        }
-    }
+    removeUnfinishedFiles();
     // SA_RESETHAND: the signal now does what it does by itself.
     raise(number);
 }
@@ -214,6 +210,14 @@ void writeFile(const fs::path& path, std::span<const std::byte> bytes) {
     OutputFile out(path);
     out.write(bytes);
     out.commit();
+}
+
+void removeUnfinishedFiles() noexcept {
+    for (const Unfinished& one : unfinished) {
+        if (one.state == Full) {
+            unlink(one.path.data());
+        }
+    }
 }
 
 void cleanUpOnSignals() {

@@ -46,6 +46,9 @@ private:
 /// Writes a whole file by OutputFile.
 void writeFile(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
+/// Removes what is half written, for those who end the program without leaving its functions.
+void removeUnfinishedFiles() noexcept;
+
 /// From now on SIGHUP, SIGINT and SIGTERM remove what is half written, and then end the program as ever; and
 /// a file that outgrows the limit of its size (SIGXFSZ) is an error.
 void cleanUpOnSignals();

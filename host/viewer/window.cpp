@@ -3,12 +3,17 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <utility>
 
+#include "core/console.hpp"
 #include "core/error.hpp"
+#include "core/output_file.hpp"
 #include "gpu/result.hpp"
 
 namespace raytorus::viewer {
@@ -20,6 +25,23 @@ std::string lastGlfwError() {
     return description != nullptr ? description : "GLFW does not say why";
 }
 
+// Xlib calls it where the connection to the display breaks, and ends the program with code 1 if it returns.
+int endWithoutDisplay(void* /*display*/) {
+    removeUnfinishedFiles();
+    writeError("raytorus-view: the connection to the display has broken\n");
+    std::fflush(nullptr);
+    std::_Exit(static_cast<int>(ExitCode::DeviceLost));
+}
+
+void expectLossOfDisplay() {
+    using Handler = int (*)(void*);
+    // Where GLFW has loaded Xlib. Nothing else of ours needs it.
+    void* const function = dlsym(RTLD_DEFAULT, "XSetIOErrorHandler");
+    if (function != nullptr) {
+        reinterpret_cast<Handler (*)(Handler)>(function)(endWithoutDisplay);
+    }
+}
+
 void start() {
     if (glfwInit() != GLFW_TRUE) {
         throw Error(
@@ -28,6 +50,7 @@ void start() {
                         "set? Without one, raytorus render draws to a file and xvfb-run lends a display",
                         lastGlfwError()));
     }
+    expectLossOfDisplay();
     if (glfwVulkanSupported() != GLFW_TRUE) {
         const std::string reason = lastGlfwError();
         glfwTerminate();
