@@ -6,6 +6,7 @@ raytorus_add_tests(reliability_tests
         input_file_test.cpp
         number_checks_test.cpp
         output_file_test.cpp
+        reliability_table_test.cpp
         reliability_test.cpp
         run_program.cpp
     LIBRARIES raytorus::cli)
