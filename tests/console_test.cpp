@@ -29,6 +29,16 @@ TEST(Console, EscapesWhatATerminalObeys) {
     EXPECT_EQ(printable("\u2028"), "\\u2028");
 }
 
+TEST(Console, KnowsUtf8) {
+    for (const std::string text : {"", "a\nb", "π 日本 é 🍩 ½", "\u009b\uffff", "\U0010ffff"}) {
+        EXPECT_TRUE(isUtf8(text)) << text;
+    }
+    for (const std::string text :
+         {"\xff", "a\xc3", "\xc0\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80", "caf\xe9"}) {
+        EXPECT_FALSE(isUtf8(text)) << printable(text);
+    }
+}
+
 TEST(Console, EscapesWhatIsNoUtf8) {
     EXPECT_EQ(printable("\xff"), "\\xff");
     EXPECT_EQ(printable("\xc3"), "\\xc3") << "cut off";

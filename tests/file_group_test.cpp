@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/output_file.hpp"
 #include "expect_error.hpp"
 #include "file_limit.hpp"
 #include "scratch_folder.hpp"
@@ -14,7 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 
 using golden::FileGroup;
-using golden::requireWritable;
 
 class FileGroupTest : public testing::Test {
 protected:

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/console.hpp"
 #include "core/sha256.hpp"
 #include "expect_error.hpp"
 #include "image/image_io.hpp"
@@ -109,8 +110,8 @@ TEST_F(ManifestFolder, EveryFaultOfAFolderIsTold) {
 }
 
 TEST_F(ManifestFolder, ANameThatIsNotUtf8CannotBeWritten) {
-    EXPECT_TRUE(jsonCanHold("caf\xc3\xa9 \n\xef\xbf\xbd"));
-    EXPECT_FALSE(jsonCanHold("caf\xe9"));
+    EXPECT_TRUE(isUtf8("caf\xc3\xa9 \n\xef\xbf\xbd"));
+    EXPECT_FALSE(isUtf8("caf\xe9"));
     writeManifest(folder / "manifest.json", manifest);
     writeImage(folder / "caf\xe9.exr", Image(2, 2, {"R"}));
     expectError([&] { writeManifest(folder / "manifest.json", manifestOf(folder)); }, ExitCode::File,

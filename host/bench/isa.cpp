@@ -41,6 +41,8 @@ std::optional<fs::path> findRadv() {
     return std::nullopt;
 }
 
+constexpr int timedCompilations = 5;
+
 // radv ends the process where RADV_FORCE_FAMILY is no family that it knows, so another process tries.
 bool driverAborts() {
     const pid_t child = fork();
@@ -78,10 +80,9 @@ std::uint64_t valueOf(const VkPipelineExecutableStatisticKHR& statistic) {
     }
 }
 
-constexpr int compilations = 5;
-
+// The fastest of so many compilations.
 IsaRow count(gpu::Context& context, std::span<const std::uint32_t> words, const std::string& name,
-             std::uint32_t constant) {
+             std::uint32_t constant, int compilations = 1) {
     gpu::PipelineLayoutInfo info;
     info.bindings = {{TRACE_BINDING_RAYS, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
                      {TRACE_BINDING_HITS, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}};
@@ -90,8 +91,8 @@ IsaRow count(gpu::Context& context, std::span<const std::uint32_t> words, const 
     info.flags = VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR;
     const gpu::ShaderModule shader(context, words, name);
     IsaRow row;
-    gpu::Pipeline pipeline = gpu::makeComputePipeline(context, shader, info);
     row.compileMs = std::numeric_limits<double>::infinity();
+    gpu::Pipeline pipeline;
     for (int i = 0; i < compilations; ++i) {
         const auto start = std::chrono::steady_clock::now();
         pipeline = gpu::makeComputePipeline(context, shader, info);
@@ -116,7 +117,7 @@ IsaRow count(gpu::Context& context, std::span<const std::uint32_t> words, const 
 
 IsaRow countOne(gpu::Context& context, const TimedMethod& method, render::Query query) {
     IsaRow row = count(context, method.shaders.load("one_ray.comp"), "one_ray.comp of " + method.name,
-                       queryConstant(query));
+                       queryConstant(query), timedCompilations);
     row.method = method.name;
     row.query = query;
     return row;

@@ -105,7 +105,7 @@ BenchRun measureAll(gpu::Context& context, const BenchOptions& options) {
         };
         for (CellResult& cell : measurer.measure(options.workloads[i], options.queries, show)) {
             print("\n{}", tableText(cell));
-            std::fflush(stdout);
+            flushOutput();
             run.cells.push_back(std::move(cell));
         }
     }

@@ -46,8 +46,10 @@ std::string usageProblem(const CLI::App& app, const CLI::ParseError& error) {
         if (first.starts_with('-')) {
             return unknownOption(hasCommand ? *app.get_subcommands().back() : app, first);
         }
-        const std::vector<std::string> commands = {"render",  "trace",  "compare",
-                                                   "explain", "golden", "doctor"};
+        std::vector<std::string> commands;
+        for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+            commands.push_back(command->get_name());
+        }
         return hasCommand
                    ? fmt::format("\"{}\" is one argument too many", excerpt(first))
                    : fmt::format("there is no command \"{}\"{}", excerpt(first), suggestion(first, commands));

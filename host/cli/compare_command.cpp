@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -15,6 +14,7 @@
 
 #include "cli/command.hpp"
 #include "core/console.hpp"
+#include "core/parse_number.hpp"
 #include "image/compare.hpp"
 #include "image/comparison_text.hpp"
 #include "image/difference.hpp"
@@ -38,23 +38,20 @@ struct CompareOptions {
 
 // The whole text as a number that is finite and not negative: std::stod would take "nan" and "1e-3x".
 template <typename Number>
-Number parseNumber(const std::string& text, std::string_view what) {
-    Number value{};
-    const char* const end = text.data() + text.size();
-    const auto [stop, problem] = std::from_chars(text.data(), end, value);
-    if (problem != std::errc() || stop != end ||
-        !(value >= 0 && value <= std::numeric_limits<Number>::max())) {
+Number notNegative(const std::string& text, std::string_view what) {
+    const std::optional<Number> value = parseNumber<Number>(text);
+    if (!value || !(*value >= 0 && *value <= std::numeric_limits<Number>::max())) {
         throw CLI::ValidationError(fmt::format("{} that is not negative, not \"{}\"", what, text));
     }
-    return value;
+    return *value;
 }
 
 double parseTolerance(const std::string& text) {
-    return parseNumber<double>(text, "A tolerance is a number");
+    return notNegative<double>(text, "A tolerance is a number");
 }
 
 std::int64_t parseCount(const std::string& text) {
-    return parseNumber<std::int64_t>(text, "A count of pixels is a whole number");
+    return notNegative<std::int64_t>(text, "A count of pixels is a whole number");
 }
 
 // "1e-4", or "4ulp".
@@ -63,7 +60,7 @@ image::CompareRule parseRule(std::string text) {
     image::CompareRule rule;
     if (text.ends_with(unit)) {
         text.resize(text.size() - unit.size());
-        rule.ulps = parseNumber<std::int64_t>(text, "A tolerance in ulps is a whole number");
+        rule.ulps = notNegative<std::int64_t>(text, "A tolerance in ulps is a whole number");
     } else {
         rule.tolerance = parseTolerance(text);
     }
@@ -177,7 +174,7 @@ void addCompareCommand(CLI::App& app, Action& action) {
     addOption("--ulp", "N", "Allowed difference in units in the last place of the expected value (default 0)",
               [&rules](const std::string& text) {
                   rules.defaultRule.ulps =
-                      parseNumber<std::int64_t>(text, "A tolerance in ulps is a whole number");
+                      notNegative<std::int64_t>(text, "A tolerance in ulps is a whole number");
               });
     addOption("--allow", "N", "Pixels that may be over their tolerance (default 0)",
               [&rules](const std::string& text) { rules.allowedPixels = parseCount(text); });

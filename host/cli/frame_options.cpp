@@ -3,31 +3,23 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <optional>
 
 #include "core/error.hpp"
+#include "core/parse_number.hpp"
 
 namespace raytorus::cli {
 namespace {
 
 constexpr int maxFrames = 1'000'000;
 
-template <class Number>
-std::optional<Number> parse(const std::string& text) {
-    Number number{};
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool whole = problem == std::errc() && end == text.data() + text.size();
-    return whole ? std::optional(number) : std::nullopt;
-}
-
 [[noreturn]] void fail(const std::string& sentence) {
     throw Error(ExitCode::Usage, sentence);
 }
 
 double timeOf(const std::string& text) {
-    const auto seconds = text.empty() ? std::optional(0.0) : parse<double>(text);
+    const auto seconds = text.empty() ? std::optional(0.0) : parseNumber<double>(text);
     if (!seconds || !std::isfinite(*seconds)) {
         fail(fmt::format("--time takes a number of seconds, not \"{}\"", text));
     }
@@ -35,7 +27,7 @@ double timeOf(const std::string& text) {
 }
 
 double rateOf(const std::string& text) {
-    const auto rate = parse<double>(text);
+    const auto rate = parseNumber<double>(text);
     if (!rate || !(*rate > 0.0 && std::isfinite(*rate))) {
         fail(fmt::format("--fps takes a positive number of frames a second, not \"{}\"", text));
     }
@@ -43,7 +35,7 @@ double rateOf(const std::string& text) {
 }
 
 int countOf(const std::string& text) {
-    const auto count = parse<int>(text);
+    const auto count = parseNumber<int>(text);
     if (!count || *count < 1 || *count > maxFrames) {
         fail(fmt::format("--frames takes a number from 1 to {}, not \"{}\"", maxFrames, text));
     }

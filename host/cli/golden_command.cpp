@@ -291,7 +291,7 @@ ExitCode runBits(const GoldenCommand& command) {
     golden::requireRenewal(command.reason);
     const golden::Set set(command.folder);
     golden::requireSound(set);
-    golden::requireWritable(set.bits());
+    requireWritable(set.bits());
     std::map<std::string, std::string> bits;
     withDevice(command.device, [&](gpu::Context& context) {
         if (context.info().type != "CPU") {

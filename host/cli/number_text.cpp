@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "cli/number_text.hpp"
 
-#include <charconv>
 #include <cmath>
-#include <system_error>
 
+#include "core/parse_number.hpp"
 #include "render/scene.hpp"
 
 namespace raytorus::cli {
@@ -12,16 +11,10 @@ namespace {
 
 template <typename Number>
 std::optional<Number> parseWhole(std::string_view text) {
-    if (text.size() > 1 && text.front() == '+' && text[1] != '-') {  // std::from_chars knows no +
+    if (text.size() > 1 && text.front() == '+' && text[1] != '-') {  // parseNumber knows no plus
         text.remove_prefix(1);
     }
-    Number value{};
-    const char* const end = text.data() + text.size();
-    const auto [stop, problem] = std::from_chars(text.data(), end, value);
-    if (problem != std::errc() || stop != end) {
-        return std::nullopt;
-    }
-    return value;
+    return parseNumber<Number>(text);
 }
 
 }  // namespace

@@ -215,9 +215,8 @@ ExitCode runRender(RenderCommand command) {
                                 command.scene));
     }
     measured.stats.read = measured.watch.lap();
-    // Throws if a file cannot be written, else leaves nothing: better now than after the work of minutes.
     for (const Frame& frame : frames) {
-        OutputFile(frame.output);
+        requireWritable(frame.output);
     }
     if (command.frames.sequence()) {
         renderSequence(command, scene, frames);

@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <optional>
+
+#include "core/parse_number.hpp"
 
 namespace raytorus::compile {
 namespace {
@@ -15,14 +16,6 @@ namespace {
 constexpr char sourceMark = '@';
 // "@3@" in "ERROR: @0:1: '#include' : @3@ for header name: x.glsl".
 constexpr std::string_view includeStart = "'#include' : @";
-
-template <typename Number>
-std::optional<Number> numberIn(std::string_view digits) {
-    Number number{};
-    const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    return problem == std::errc() && end == digits.data() + digits.size() ? std::optional(number)
-                                                                          : std::nullopt;
-}
 
 // Without spaces at the ends and with one between words. Bytes that may be no text show themselves as
 // numbers.
@@ -60,7 +53,7 @@ std::optional<CompileError> takeLocation(std::string_view& message) {
         if (end == std::string_view::npos) {
             break;
         }
-        if (const auto line = numberIn<int>(message.substr(colon + 1, end - colon - 1))) {
+        if (const auto line = parseNumber<int>(message.substr(colon + 1, end - colon - 1))) {
             CompileError error{std::string(message.substr(0, colon)), *line, {}};
             message.remove_prefix(end + 2);
             return error;
@@ -100,7 +93,7 @@ public:
 private:
     std::string fileNamed(const std::string& name) const {
         const bool marked = name.starts_with(sourceMark);
-        const auto id = marked ? numberIn<std::size_t>(std::string_view(name).substr(1)) : std::nullopt;
+        const auto id = marked ? parseNumber<std::size_t>(std::string_view(name).substr(1)) : std::nullopt;
         if (id && *id < search.sources().size()) {
             return search.sources()[*id].name;
         }
@@ -144,7 +137,7 @@ private:
         if (!skip(message, includeStart)) {
             return nullptr;
         }
-        const auto number = numberIn<std::size_t>(message.substr(0, message.find('@')));
+        const auto number = parseNumber<std::size_t>(message.substr(0, message.find('@')));
         return number && *number < refusals.size() ? &refusals[*number] : nullptr;
     }
 

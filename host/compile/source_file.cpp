@@ -6,11 +6,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cctype>
 #include <cerrno>
 #include <span>
-#include <system_error>
 
+#include "core/file.hpp"
 #include "core/sha256.hpp"
 
 namespace raytorus::compile {
@@ -41,9 +40,7 @@ SourceFile failed(int code) {
     if (code == ENOENT || code == ENOTDIR) {
         return {{}, "there is no such file", true, {}};
     }
-    std::string reason = std::generic_category().message(code);
-    reason.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(reason.front())));
-    return unreadable(std::move(reason));
+    return unreadable(systemReason(code));
 }
 
 }  // namespace

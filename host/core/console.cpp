@@ -81,6 +81,17 @@ void requireOutput(bool written) {
 
 }  // namespace
 
+bool isUtf8(std::string_view text) {
+    while (!text.empty()) {
+        const Character character = firstOf(text);
+        if (character.bytes == 0) {
+            return false;
+        }
+        text.remove_prefix(character.bytes);
+    }
+    return true;
+}
+
 std::string printable(std::string_view text) {
     return shown(text, std::string::npos, false);
 }

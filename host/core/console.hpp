@@ -11,6 +11,9 @@
 
 namespace raytorus {
 
+/// Whether all of it is well formed.
+bool isUtf8(std::string_view text);
+
 /// The text as it may be shown: a terminal obeys some characters, and turns the direction of what follows
 /// others. Those, and noncharacters, become \u001b, and bytes that are no UTF-8 become \xff. Tabs and ends of
 /// lines stay.

@@ -124,18 +124,18 @@ OutputFile::OutputFile(fs::path path) : name(std::move(path)), target(followed(n
         failWriting(name, "it is not a regular file");
     }
     removeStale(target);
+    buffer.reserve(bufferBytes);  // what can fail goes before there is a file to leave
     create(exists ? status.st_mode & 07777U : 0);
     place = remember(temporary.string());
-    buffer.reserve(bufferBytes);
 }
 
 // With these permissions, or those of any new file.
 void OutputFile::create(unsigned permissions) {
     constexpr mode_t everybody = 0666;  // less the user's mask
     std::random_device random;
-    struct stat status {};
     // Between its making and its lock another program can take it for stale, and remove it.
-    while (status.st_nlink == 0) {
+    constexpr int mostTries = 100;
+    for (int i = 0; i < mostTries; ++i) {
         temporary =
             target.parent_path() / fmt::format("{}{:08x}{:08x}", temporaryStem(target), random(), random());
         file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, everybody);
@@ -144,12 +144,13 @@ void OutputFile::create(unsigned permissions) {
         }
         // Where a file system knows no locks, what is left behind stays.
         static_cast<void>(flock(file, LOCK_EX));
-        if (fstat(file, &status) != 0) {
-            fail(errno);
+        if (access(temporary.c_str(), F_OK) == 0) {
+            break;
         }
-        if (status.st_nlink == 0) {
-            close(std::exchange(file, -1));
-        }
+        close(std::exchange(file, -1));
+    }
+    if (file < 0) {
+        fail(ENOENT);
     }
     if (permissions != 0) {
         static_cast<void>(fchmod(file, permissions));
@@ -204,6 +205,10 @@ void OutputFile::commit() {
     forget(place);
     place = mostUnfinished;
     close(std::exchange(file, -1));
+}
+
+void requireWritable(const fs::path& path) {
+    const OutputFile probe(path);
 }
 
 void writeFile(const fs::path& path, std::span<const std::byte> bytes) {

@@ -43,6 +43,10 @@ private:
     std::vector<std::byte> buffer;
 };
 
+/// Throws Error{File} if no OutputFile could be written there now: better said before a long work than after
+/// it.
+void requireWritable(const std::filesystem::path& path);
+
 /// Writes a whole file by OutputFile.
 void writeFile(const std::filesystem::path& path, std::span<const std::byte> bytes);
 

@@ -83,10 +83,6 @@ std::string putBackAll(const std::vector<std::unique_ptr<Kept>>& kept, std::size
 
 }  // namespace
 
-void requireWritable(const fs::path& path) {
-    const OutputFile probe(path);
-}
-
 void FileGroup::add(fs::path path, std::span<const std::byte> bytes) {
     members.push_back({std::move(path), {bytes.begin(), bytes.end()}});
 }

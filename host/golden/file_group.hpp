@@ -10,9 +10,6 @@
 
 namespace raytorus::golden {
 
-/// Throws Error{File} if no file could be written there now, as where a directory is.
-void requireWritable(const std::filesystem::path& path);
-
 /// New contents of several files, kept in memory until commit().
 class FileGroup {
 public:

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "core/console.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/sha256.hpp"
@@ -106,7 +107,7 @@ void requireRenewal(const std::string& reason) {
     if (reason.find_first_not_of(" \t\n") == std::string::npos) {
         throw Error(ExitCode::Usage, "--reason says why the goldens change; it cannot be blank");
     }
-    if (!image::jsonCanHold(reason)) {
+    if (!isUtf8(reason)) {
         throw Error(ExitCode::Usage, "--reason is kept as JSON; it must be UTF-8");
     }
 }

@@ -9,6 +9,7 @@
 #include <set>
 #include <string_view>
 
+#include "core/console.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/sha256.hpp"
@@ -64,12 +65,6 @@ std::set<std::string> picturesIn(const fs::path& folder) {
 
 }  // namespace
 
-bool jsonCanHold(const std::string& text) {
-    // What is not UTF-8 is left out of what is written, and so does not come back.
-    const std::string written = Json(text).dump(-1, ' ', false, Json::error_handler_t::ignore);
-    return Json::parse(written).get<std::string>() == text;
-}
-
 ManifestEntry manifestEntry(std::span<const std::byte> bytes) {
     return {sha256(bytes), bytes.size()};
 }
@@ -92,7 +87,7 @@ Manifest readManifest(const fs::path& path) {
 std::string manifestText(const Manifest& manifest) {
     Json files = Json::object();
     for (const auto& [name, entry] : manifest.files) {
-        if (!jsonCanHold(name)) {
+        if (!isUtf8(name)) {
             throw Error(ExitCode::File,
                         fmt::format("\"{}\" cannot be in a manifest: its name is not UTF-8", name));
         }

@@ -29,9 +29,6 @@ struct Manifest {
 /// Throws Error{ExitCode::File} when the file is missing or is no manifest.
 [[nodiscard]] Manifest readManifest(const std::filesystem::path& path);
 
-/// Whether JSON can hold a text: whether it is UTF-8.
-[[nodiscard]] bool jsonCanHold(const std::string& text);
-
 /// The entry of a file with these bytes.
 [[nodiscard]] ManifestEntry manifestEntry(std::span<const std::byte> bytes);
 

@@ -151,7 +151,7 @@ void writeReport(const std::filesystem::path& path, std::span<const ReportCase> 
 void prepareReportFolder(const std::filesystem::path& folder) {
     makeFolder(folder);
     for (const char* name : {"report.json", "junit.xml", "index.html"}) {
-        const OutputFile probe(folder / name);
+        requireWritable(folder / name);
     }
 }
 

@@ -69,7 +69,7 @@ ExitCode verifyAll(gpu::Context& context, Verifier& verifier, const VerifyOption
     }
     print("seed {}{}, {} rays a cell, {} ({})\n", options.seed, options.seedOfTheDay ? " (today)" : "",
           options.rays, context.info().name, context.info().driverInfo);
-    std::fflush(stdout);
+    flushOutput();
     const auto start = std::chrono::steady_clock::now();
     const std::vector<CellResult> results = verifyCells(verifier, options);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -5,7 +5,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 
@@ -14,6 +13,7 @@
 #include "cli/option_text.hpp"
 #include "cli/program.hpp"
 #include "core/error.hpp"
+#include "core/parse_number.hpp"
 
 namespace raytorus::verify {
 namespace {
@@ -61,13 +61,12 @@ Rows parseRows(const std::string& name) {
 }
 
 std::uint64_t parseSeed(const std::string& text) {
-    std::uint64_t seed = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
-    if (error != std::errc() || end != text.data() + text.size()) {
+    const std::optional<std::uint64_t> seed = parseNumber<std::uint64_t>(text);
+    if (!seed) {
         throw Error(ExitCode::Usage,
                     fmt::format("--seed is a whole number below 2^64, or today, not \"{}\"", text));
     }
-    return seed;
+    return *seed;
 }
 
 }  // namespace

@@ -22,7 +22,7 @@
 #define TORUS_SHORT_T 0.0625
 // ... and only on this side of the axis, at which rho has an edge.
 #define TORUS_AXIS_STEP 0.25
-// A repeated refinement takes steps up to where the third derivative is this part of the slope.
+// A repeated refinement takes steps up to where these derivatives are this part of the slope.
 #define TORUS_LARGE_ORDER 0.125
 // A step that does not matter, in units; at a horn's tip G underflows before it is all rounding. And a small one, if it
 // only follows the rounding of G, in r over the half slope.
