@@ -34,7 +34,7 @@ TEST(Console, KnowsUtf8) {
         EXPECT_TRUE(isUtf8(text)) << text;
     }
     for (const std::string text :
-         {"\xff", "a\xc3", "\xc0\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80", "caf\xe9"}) {
+         {"\xff", "a\xc3", "\xc3(", "\xe2\x82(", "\xc0\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80", "caf\xe9"}) {
         EXPECT_FALSE(isUtf8(text)) << printable(text);
     }
 }

@@ -87,18 +87,20 @@ TEST(Mutations, NoneIsCaughtByNumbers) {
 }
 
 TEST(Mutations, AreCaughtWhereTheyShow) {
-    const std::vector<Mutation> mutations = {mutationCalled("camera-upside-down"),
-                                             mutationCalled("second-dip-forgotten"),
-                                             mutationCalled("tangent-sign")};
+    const std::vector<Mutation> mutations = {
+        mutationCalled("camera-upside-down"), mutationCalled("second-dip-forgotten"),
+        mutationCalled("tangent-sign"), mutationCalled("fast-side-kept")};
     GoldenSuite goldens;
     const std::vector<Outcome> outcomes = runMutations(mutations, goldens, optionsOfTest());
-    ASSERT_EQ(outcomes.size(), 3U);
+    ASSERT_EQ(outcomes.size(), 4U);
     EXPECT_TRUE(outcomes[0].goldens.caught);
     EXPECT_FALSE(outcomes[0].numbers.caught) << "rays have no camera, and the positions are on the torus";
     EXPECT_TRUE(outcomes[1].goldens.caught);
     EXPECT_TRUE(outcomes[1].numbers.caught);
     EXPECT_FALSE(outcomes[2].goldens.asked) << "no picture uses tangents";
     EXPECT_TRUE(outcomes[2].numbers.caught);
+    EXPECT_TRUE(outcomes[3].numbers.caught.value_or("nothing").starts_with("fast "))
+        << "the exact tier does not have this file";
 }
 
 Outcome outcome(Shows shows, bool goldens, bool numbers) {

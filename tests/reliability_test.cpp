@@ -200,6 +200,10 @@ TEST_F(Reliability, StandardErrorThatIsFull) {
 TEST_F(Reliability, StandardStreamsThatAreClosed) {
     expectEnd("raytorus render ring.json -o a.png <&- >&- 2>&-", ExitCode::Ok);
     EXPECT_EQ(shell("raytorus render ring.json -o b.png && cmp a.png b.png").exitCode, 0);
+    // The table would stand in the file.
+    expectEnd("raytorus-verify --class camera --radius .25 --distance 3 --rays 10 --json out.json >&-",
+              ExitCode::File, {"cannot write to standard output"});
+    EXPECT_FALSE(std::filesystem::exists(folder / "out.json"));
 }
 
 // 9. What is left behind.
