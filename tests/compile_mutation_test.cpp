@@ -29,6 +29,7 @@ void expectPlaced(const CompiledShader& shader, const fs::path& folder) {
         // One more: what is found missing at the end of a file may be told on the line after it.
         EXPECT_LE(error.line, lineCount(test::fileText(folder / error.file)) + 1) << describe(error);
         EXPECT_FALSE(error.text.empty());
+        EXPECT_FALSE(error.text.starts_with("the compilation ")) << describe(error) << ": glslang crashed";
     }
 }
 

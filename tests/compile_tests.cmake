@@ -5,7 +5,9 @@ raytorus_add_tests(compile_tests
         compile_test.cpp
         compile_error_test.cpp
         compile_fault_test.cpp
+        bounded_child_test.cpp
         compile_include_test.cpp
+        compile_limit_test.cpp
         compile_mutation_test.cpp
         directives_test.cpp
         file_watch_test.cpp

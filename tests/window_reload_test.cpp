@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Shaders and scenes that are edited while the window shows them.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <fstream>
 
@@ -83,6 +85,21 @@ TEST_F(WindowReload, KeepsTheLastGoodPictureWhileAShaderIsBroken) {
     replace("shaders/torus/march.glsl", good);
     await("shaders");
     EXPECT_TRUE(sameBits(first, screenshot("e")));
+    close();
+}
+
+// Each macro is twice the one before: 2^37 words, which once took 24 GB and the machine with them.
+TEST_F(WindowReload, AShaderThatExhaustsTheCompiler) {
+    openEdited();
+    std::string macros = "#define M0 1.0\n";
+    for (int i = 1; i <= 37; ++i) {
+        macros += fmt::format("#define M{0} M{1} + M{1}\n", i, i - 1);
+    }
+    const std::string good = read("shaders/shade.glsl");
+    replace("shaders/shade.glsl", macros + good + "float endless() { return M37; }\n");
+    EXPECT_EQ(awaitError(), "scene.frag: the compilation takes more than 2 GiB of memory");
+    replace("shaders/shade.glsl", good);
+    awaitPicture();
     close();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// GLSL for Vulkan 1.3 to SPIR-V, in this process: the same words as glslangValidator --target-env vulkan1.3
-// of the same version gives, in some 10 ms (the first time a tenth of a second, for glslang's tables).
+// GLSL for Vulkan 1.3 to SPIR-V, in the running program: the same words as glslangValidator --target-env
+// vulkan1.3 of the same version gives, in some 10 ms (the first time a tenth of a second, for glslang's
+// tables).
 //
 //     const CompiledShader shader = compileShader({"shaders/scene.frag", {"shaders"}, {}, {}});
 //     if (!shader.ok()) show(describe(shader.errors.front()));
@@ -12,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "compile/bounded_child.hpp"
 #include "compile/glslang_log.hpp"
 #include "compile/include_search.hpp"
 
@@ -31,6 +33,8 @@ struct ShaderRequest {
     std::vector<std::filesystem::path> roots;
     std::vector<Define> defines;
     std::vector<VirtualInclude> virtualIncludes;
+    /// Of one compilation. What exceeds them is refused as any shader that does not compile.
+    ChildLimits limits{};
 };
 
 struct CompiledShader {
@@ -40,14 +44,17 @@ struct CompiledShader {
     /// these changes, the result stays the same. The entry is the first.
     std::vector<FileState> files;
 
+    /// The compilation was ended, for its limits or because it crashed; the last error says which.
+    bool ended = false;
+
     [[nodiscard]] bool ok() const { return errors.empty(); }
 };
 
-/// Any fault of the request or of a file is in the result's errors; only a lack of memory is thrown. May be
-/// called from any thread; calls at the same time wait for one another. No file damages the process: files
-/// and what they include are limited to 1 MiB together and 64 levels, and glslang runs on a stack measured
-/// for that. Not covered are sources that are written to exhaust glslang: macros and structures that double
-/// themselves some thirty times.
+/// Any fault of the request or of a file is in the result's errors; only what the system lacks is thrown,
+/// memory or processes. May be called from any thread, and by several at once. No file damages this process:
+/// files and what they include are limited to 1 MiB together and 64 levels, and glslang runs in a process of
+/// its own, on a stack measured for that, with limits of memory and time. A shader whose macros or structures
+/// double themselves some thirty times ends there.
 [[nodiscard]] CompiledShader compileShader(const ShaderRequest& request);
 
 /// "torus/torus.glsl:12: 'x' : undeclared identifier".

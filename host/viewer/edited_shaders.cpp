@@ -48,9 +48,12 @@ EditedShaders::Result EditedShaders::compileAll(const std::filesystem::path& fol
         }
         result.files.insert(result.files.end(), shader.files.begin(), shader.files.end());
         (steps ? counting : plain)->insert_or_assign(name, std::move(shader.words));
+        return !shader.ended;
     };
     for (const char* name : {"scene.frag", "scene.comp", "fullscreen.vert", "explain.comp"}) {
-        compileOne(name, false);
+        if (!compileOne(name, false)) {
+            break;  // so would the others, each after as long a time
+        }
     }
     for (const char* name : {"scene.frag", "scene.comp"}) {
         if (errors.empty()) {

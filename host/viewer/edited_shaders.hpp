@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A folder of GLSL that is being edited: compiled in this process at once and again after each change, beside
+// A folder of GLSL that is being edited: compiled by this program at once and again after each change, beside
 // the window's loop, which never waits for it.
 #pragma once
 
