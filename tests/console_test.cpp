@@ -4,6 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
+#include "core/json_text.hpp"
+#include "core/markup.hpp"
+
 namespace raytorus {
 namespace {
 
@@ -57,6 +62,28 @@ TEST(Console, CutsAnExcerpt) {
     EXPECT_EQ(excerpt(std::string(201, 'x')), std::string(200, 'x') + "...");
     EXPECT_EQ(excerpt("日本", 5), "日...") << "no half characters";
     EXPECT_EQ(excerpt(std::string(10'000'000, '\x1b'), 12), "\\u001b\\u001b...");
+}
+
+TEST(Console, EscapesWhatIsMarkup) {
+    EXPECT_EQ(escapeHtml("<a href=\"x\">it's & more</a>"),
+              "&lt;a href=&quot;x&quot;&gt;it&#39;s &amp; more&lt;/a&gt;");
+    EXPECT_EQ(escapeHtml("\x1b\u009b\uffff\xff\n\tend"), "\\u001b\\u009b\\uffff\\xff\n\tend");
+}
+
+TEST(Console, WritesJsonThatCanBeShown) {
+    const std::string words = "\x1b\x7f\u009b\u2028\ufeff\uffff\U0001fffe\U0010ffff \"\\ \n π 🍩"s;
+    const nlohmann::ordered_json json = {{words, {words, 1}}, {"nul", "\0"s}};
+    for (const int indent : {-1, 0, 2}) {
+        const std::string text = dumpJson(json, indent);
+        EXPECT_EQ(printable(text), text) << "nothing is left to be escaped";
+        EXPECT_EQ(nlohmann::ordered_json::parse(text), json);
+        EXPECT_NE(
+            text.find(
+                "\\u001b\\u007f\\u009b\\u2028\\ufeff\\uffff\\ud83f\\udffe\\udbff\\udfff \\\"\\\\ \\n π 🍩"),
+            std::string::npos)
+            << text;
+    }
+    EXPECT_EQ(dumpJson({"\xff\xed\xa0\x80", "caf\xe9"}, -1), "[\"\ufffd\ufffd\ufffd\ufffd\",\"caf\ufffd\"]");
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 #include "core/file.hpp"
 #include "expect_error.hpp"
-#include "file_limit.hpp"
+#include "failing_rename.hpp"
 #include "golden/golden_check.hpp"
 #include "golden/golden_folder.hpp"
 #include "golden/golden_renew.hpp"
@@ -165,17 +165,9 @@ TEST_F(GoldenFiles, ARenewalLeavesTheEntriesOfOthers) {
 // The manifest, which comes last, becomes larger than any file may. It is small enough to be found so only
 // when it is finished, with the picture and the sidecar in their places.
 TEST_F(GoldenFiles, ARenewalThatFailsInTheMiddleChangesNothing) {
-    constexpr rlim_t most = 60'500;
-    image::Manifest manifest;
-    for (int i = 0; i < 470; ++i) {
-        manifest.files[fmt::format("other_{:03}.exr", i)] = {std::string(64, 'a'), 1};
-    }
-    image::writeManifest(folder / "manifest.json", manifest);
-    ASSERT_LT(fs::file_size(folder / "ring_half.exr"), most);
-    ASSERT_GT(fs::file_size(folder / "manifest.json"), most);
     writeText(folder / "ring_half.exr", "the picture before");
     writeText(folder / "ring_half.json", "the sidecar before");
-    const Limit limit(RLIMIT_FSIZE, most);
+    const FailingRename failing("/manifest.json");
     expectNoRenewal(ExitCode::File, {"manifest.json", "all files are as they were"});
     EXPECT_EQ(fileText(folder / "ring_half.exr"), "the picture before");
 }

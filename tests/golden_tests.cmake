@@ -3,6 +3,7 @@
 find_package(nlohmann_json REQUIRED)
 raytorus_add_tests(golden_tests
     SOURCES
+        failing_rename.cpp
         file_group_test.cpp
         golden_test.cpp
         golden_files_test.cpp

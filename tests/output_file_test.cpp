@@ -3,12 +3,16 @@
 #include "core/output_file.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <memory>
+
 #include "expect_error.hpp"
+#include "file_limit.hpp"
 #include "scratch_folder.hpp"
 
 namespace raytorus {
@@ -132,6 +136,31 @@ TEST_F(OutputFiles, RemoveWhatAKilledProgramLeft) {
         << "the file, the slow one's, and three that are no business of ours";
     slow.commit();
     EXPECT_EQ(fileText(folder / "out"), "slow");
+}
+
+// To look anew for each of many files takes a time that grows with their square.
+TEST_F(OutputFiles, LookOnceForWhatAKilledProgramLeft) {
+    writeAll(folder / "first", "x");
+    writeText(folder / ".second.0123456789abcdef", "stale, from now on");
+    writeAll(folder / "second", "x");
+    EXPECT_EQ(namesIn(folder), Names({".second.0123456789abcdef", "first", "second"}));
+}
+
+TEST_F(OutputFiles, CanBeClosedBeforeTheyAppear) {
+    const test::Limit limit(RLIMIT_NOFILE, 64);
+    std::vector<std::unique_ptr<OutputFile>> files;
+    for (int i = 0; i < 100; ++i) {
+        files.push_back(std::make_unique<OutputFile>(folder / fmt::format("{:02}", i)));
+        files.back()->write("new");
+        files.back()->close();
+    }
+    EXPECT_FALSE(fs::exists(folder / "00"));
+    for (int i = 0; i < 50; ++i) {
+        files[static_cast<std::size_t>(i)]->commit();
+    }
+    files.clear();
+    EXPECT_EQ(namesIn(folder).size(), 50U);
+    EXPECT_EQ(fileText(folder / "49"), "new");
 }
 
 TEST_F(OutputFiles, RefuseWhatIsNoFile) {

@@ -20,9 +20,12 @@ using nlohmann::json;
 class ProgramVerify : public testing::Test {
 protected:
     [[nodiscard]] ProgramResult run(const std::vector<std::string>& arguments) const {
-        ProgramSettings settings;
-        settings.folder = folder;
-        return runProgram(RAYTORUS_VERIFY, arguments, settings);
+        return runProgram(RAYTORUS_VERIFY, arguments, {folder, {}});
+    }
+    // As typed in the folder of the test, with the program installed.
+    [[nodiscard]] ProgramResult paste(const std::string& command) const {
+        const std::string programs = std::filesystem::path(RAYTORUS_VERIFY).parent_path().string();
+        return runProgram("/bin/sh", {"-c", command}, {folder, {{"PATH", programs + ":/usr/bin:/bin"}}});
     }
 
     void expectUsageError(const std::vector<std::string>& arguments, const std::string& sentence) const {
@@ -111,15 +114,21 @@ TEST_F(ProgramVerify, SeesEveryKindOfFault) {
 }
 
 TEST_F(ProgramVerify, ReplaysWhatItFaulted) {
-    const std::vector<std::string> defective{"--shaders", RAYTORUS_DEFECTIVE_SHADER_FOLDER};
-    const ProgramResult all = run({"--class", "camera", "--radius", "0.5", "--distance", "3", "--rays", "300",
-                                   defective[0], defective[1]});
-    const auto replays = matchesIn(all.out, R"re(  (\S+): raytorus-verify --replay "([^"]*)")re");
+    const std::string defective = "it's; touch PWNED";
+    std::filesystem::copy(RAYTORUS_DEFECTIVE_SHADER_FOLDER, folder / defective);
+    const ProgramResult all =
+        run({"--class", "camera", "--radius", "0.5", "--distance", "3", "--rays", "300", "--shaders",
+             defective, "--device", "llvmpipe (LLVM", "--timeout", "60", "--json", "found.json"});
+    const auto replays = matchesIn(all.out, R"re(  (\S+): (raytorus-verify .* --replay "([^"]*)"))re");
+    const json examples = json::parse(fileText(folder / "found.json")).at("cells").at(0).at("examples");
+    EXPECT_EQ(examples.at(0).at("replay"), replays.at(0)[2]);
     for (const PatternMatch& replay : replays) {
-        const ProgramResult one = run({"--replay", replay[2], defective[0], defective[1]});
+        // Without the shaders, the ray is judged right.
+        const ProgramResult one = paste(replay[2]);
+        EXPECT_FALSE(std::filesystem::exists(folder / "PWNED")) << replay[2];
         EXPECT_EQ(one.exitCode, static_cast<int>(ExitCode::ComparisonFailed));
         EXPECT_TRUE(one.out.ends_with("verdict: " + replay[1] + "\n")) << one.out;
-        const ProgramResult right = run({"--replay", replay[2]});
+        const ProgramResult right = run({"--replay", replay[3]});
         EXPECT_EQ(right.exitCode, 0) << right.out;
         EXPECT_TRUE(right.out.ends_with("verdict: right\n")) << right.out;
     }

@@ -95,7 +95,7 @@ TEST(ReportData, WhatXmlMayNotHoldIsReplaced) {
     reported.name = "<a> & \"b\" \x01\xff";
     reported.sentence = "]]> it's over";
     const std::string xml = reportJunit(std::vector{reported});
-    EXPECT_EQ(countOf(xml, "name=\"&lt;a&gt; &amp; &quot;b&quot; ?\xef\xbf\xbd\""), 1u) << xml;
+    EXPECT_EQ(countOf(xml, "name=\"&lt;a&gt; &amp; &quot;b&quot; \\u0001\\xff\""), 1u) << xml;
     EXPECT_EQ(countOf(xml, "message=\"]]&gt; it&#39;s over\""), 1u) << xml;
     const auto json = nlohmann::json::parse(reportJson(std::vector{reported}));
     EXPECT_EQ(json["results"][0]["name"], "<a> & \"b\" \x01\xef\xbf\xbd");

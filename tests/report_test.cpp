@@ -6,6 +6,7 @@
 
 #include <limits>
 
+#include "core/markup.hpp"
 #include "count_of.hpp"
 #include "expect_error.hpp"
 #include "image/image_codec.hpp"

@@ -23,6 +23,13 @@ TEST(ShellQuote, QuotesWhatAShellWouldSeeMoreIn) {
     EXPECT_EQ(shellQuote("~"), "'~'");
 }
 
+TEST(ShellQuote, HasNothingThatMayNotBeShown) {
+    const std::string command = shellQuote("a\x1b[31m\u009b\xff");
+    EXPECT_EQ(command, "'a'\"$(printf '\\033')\"'[31m'\"$(printf '\\302\\233')\"''\"$(printf '\\377')\"''");
+    EXPECT_EQ(shellOption("--device", "-x y"), " --device='-x y'");
+    EXPECT_EQ(shellOption("--device", "x"), " --device x");
+}
+
 TEST(ShellQuote, AShellReadsTheSameWordAgain) {
     std::string every;
     for (int c = 1; c < 256; ++c) {

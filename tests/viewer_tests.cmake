@@ -28,6 +28,7 @@ raytorus_add_tests(viewer_tests
         window_size_test.cpp
         window_test.cpp
         window_view_test.cpp
+        window_words_test.cpp
     LIBRARIES raytorus::viewer nlohmann_json::nlohmann_json PkgConfig::XCB)
 
 # A Vulkan layer that fails windows on time, with a manifest for the loader.

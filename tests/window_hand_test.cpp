@@ -81,7 +81,7 @@ TEST_F(WindowHand, AClickTakesThatPixelApartAsExplainDoes) {
         EXPECT_EQ(picked["x"], x);
         EXPECT_EQ(picked["y"], y);
         const std::string command = picked["command"];
-        const std::string start = "raytorus explain --replay \"";
+        const std::string start = "raytorus explain --validate --replay \"";
         ASSERT_TRUE(command.starts_with(start) && command.ends_with('"')) << command;
         const std::string ray = command.substr(start.size(), command.size() - start.size() - 1);
         const std::string text = picked["text"];

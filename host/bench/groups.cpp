@@ -14,6 +14,7 @@
 #include "bench/isa.hpp"
 #include "bench/kernel.hpp"
 #include "core/error.hpp"
+#include "core/json_text.hpp"
 #include "gpu/buffer.hpp"
 #include "gpu/commands.hpp"
 #include "gpu/pipeline.hpp"
@@ -283,7 +284,7 @@ std::string groupsJson(const gpu::DeviceInfo& device, std::uint64_t seed, std::s
         }
         out["rows"].push_back(one);
     }
-    return out.dump(2) + "\n";
+    return dumpJson(out) + "\n";
 }
 
 }  // namespace raytorus::bench

@@ -9,6 +9,7 @@
 #include "bench/plot.hpp"
 #include "bench/summary.hpp"
 #include "bench/table.hpp"
+#include "core/markup.hpp"
 
 namespace raytorus::bench {
 namespace {
@@ -36,26 +37,6 @@ path.tiles { stroke: var(--tiles); } path.scattered { stroke: var(--scattered); 
 path.bad { fill: none; stroke-width: 1.6; }
 )css";
 
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-            case '<':
-                result += "&lt;";
-                break;
-            case '>':
-                result += "&gt;";
-                break;
-            case '&':
-                result += "&amp;";
-                break;
-            default:
-                result += c;
-        }
-    }
-    return result;
-}
-
 }  // namespace
 
 std::string runHtml(const BenchRun& run) {
@@ -63,7 +44,7 @@ std::string runHtml(const BenchRun& run) {
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta "
         "charset=\"utf-8\">\n<title>raytorus-bench</title>\n"
         "<style>{}</style>\n</head>\n<body>\n<h1>raytorus-bench</h1>\n<p>{}. Seed {}, {} rounds.</p>\n",
-        style, escaped(machineText(run.machine)), run.seed, run.rounds);
+        style, escapeHtml(machineText(run.machine)), run.seed, run.rounds);
     page +=
         "<p>Each mark is a workload: its time a ray over the library's on the same rays, without what making "
         "the "
@@ -83,10 +64,10 @@ std::string runHtml(const BenchRun& run) {
         }
     }
     page += fmt::format("<h2>All workloads together</h2>\n<pre>{}\n{}\n{}</pre>\n<h2>Each workload</h2>\n",
-                        escaped(steadinessText(run)), escaped(summaryText(run)),
-                        escaped(barsText(measureBars(run))));
+                        escapeHtml(steadinessText(run)), escapeHtml(summaryText(run)),
+                        escapeHtml(barsText(measureBars(run))));
     for (const CellResult& cell : run.cells) {
-        page += fmt::format("<pre>{}</pre>\n", escaped(tableText(cell)));
+        page += fmt::format("<pre>{}</pre>\n", escapeHtml(tableText(cell)));
     }
     return page + "</body>\n</html>\n";
 }

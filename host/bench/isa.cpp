@@ -15,6 +15,7 @@
 
 #include "bench/kernel.hpp"
 #include "core/error.hpp"
+#include "core/json_text.hpp"
 #include "gpu/result.hpp"
 #include "trace_io.h"
 
@@ -260,7 +261,7 @@ std::string isaJson(const gpu::DeviceInfo& device, std::span<const IsaRow> rows)
         }
         out["rows"].push_back(one);
     }
-    return out.dump(1) + "\n";
+    return dumpJson(out, 1) + "\n";
 }
 
 }  // namespace raytorus::bench

@@ -7,6 +7,8 @@
 
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "core/json_text.hpp"
+#include "core/strict_json.hpp"
 
 namespace raytorus::bench {
 namespace {
@@ -60,7 +62,7 @@ std::string cellText(const CellResult& cell) {
         cell.workload.name(), nameOf(cell.query), rounded(cell.hitPart), cell.rays);
     const char* separator = "\n";
     for (const MethodResult& method : cell.methods) {
-        text += fmt::format("{}  \"{}\": {}", separator, method.name, methodJson(method).dump());
+        text += fmt::format("{}  \"{}\": {}", separator, method.name, dumpJson(methodJson(method), -1));
         separator = ",\n";
     }
     return text + "\n }}";
@@ -97,7 +99,7 @@ std::string runJson(const BenchRun& run) {
     std::string text = fmt::format(
         "{{\"format\": \"{}\", \"version\": {},\n\"machine\": {},\n\"seed\": {}, \"rounds\": {}, "
         "\"cells\": [",
-        formatName, formatVersion, machineJson(run.machine).dump(), run.seed, run.rounds);
+        formatName, formatVersion, dumpJson(machineJson(run.machine), -1), run.seed, run.rounds);
     const char* separator = "\n";
     for (const CellResult& cell : run.cells) {
         text += separator + cellText(cell);
@@ -110,9 +112,9 @@ ReferenceTable readReference(const std::filesystem::path& path) {
     const std::string text = readTextFile(path);
     json table;
     try {
-        table = json::parse(text);
-    } catch (const json::parse_error& error) {
-        throw refusal(path, fmt::format("this is no JSON (byte {})", error.byte));
+        table = parseStrictJson(text, path.string());
+    } catch (const Error& error) {
+        throw Error(ExitCode::File, error.what());  // not of a scene
     }
     if (!table.is_object() || table.value("format", json()) != formatName) {
         throw refusal(path, "this is no table that raytorus-bench --json has written");

@@ -15,6 +15,7 @@
 #include "bench/methods/methods.hpp"
 #include "cli/command.hpp"
 #include "cli/device_options.hpp"
+#include "cli/number_checks.hpp"
 #include "cli/progress.hpp"
 #include "core/console.hpp"
 #include "golden/file_group.hpp"
@@ -115,8 +116,7 @@ public:
     }
 
     /// The folder as a whole. In the report it is a case of its own, with all that is wrong with it.
-    void addFolder() {
-        const std::vector<std::string> faults = golden::folderFaults(*set);
+    void addFolder(const std::vector<std::string>& faults) {
         for (const std::string& fault : faults) {
             print("{}\n", fault);
         }
@@ -223,10 +223,6 @@ private:
 
 ExitCode runCheck(const GoldenCommand& command) {
     const auto start = std::chrono::steady_clock::now();
-    if (!(command.toleranceFactor >= 1.0F && command.toleranceFactor <= 1000.0F)) {
-        throw Error(ExitCode::Usage, fmt::format("--tolerance-factor is a number from 1 to 1000, not {:g}",
-                                                 command.toleranceFactor));
-    }
     const golden::Set set(command.folder);
     const std::vector<golden::Case> rows = chosenCases(set, command.names);
     Checking checking(set, command);
@@ -234,7 +230,9 @@ ExitCode runCheck(const GoldenCommand& command) {
         image::prepareReportFolder(command.report);
     }
     if (command.names.empty()) {
-        checking.addFolder();
+        checking.addFolder(golden::folderFaults(set));
+    } else if (const std::string fault = golden::renewalFault(set); !fault.empty()) {
+        checking.addFolder({fault});
     }
     image::ReportHeading heading{"Golden pictures", {{"raytorus", std::string(version())}}};
     if (command.toleranceFactor != 1.0F) {
@@ -275,6 +273,9 @@ ExitCode runRenew(const GoldenCommand& command) {
         throw Error(ExitCode::Usage, "name the cases to renew, or all of them by --all");
     }
     const std::vector<golden::Case> rows = chosenCases(set, command.names);
+    if (golden::recover(set)) {
+        print("put back what a renewal that was ended in the middle had replaced\n");
+    }
     std::vector<golden::Renewal> renewals;
     {
         Progress progress("rendering");
@@ -347,6 +348,7 @@ void addGoldenCommand(CLI::App& app, Action& action) {
     check
         .add_option("--tolerance-factor", command->toleranceFactor,
                     "Each tolerance times F, 1 to 1000, for a device that rounds so loosely")
+        ->check(decimalNumber(1.0, 1000.0))
         ->option_text("F [1]");
     addDeviceOptions(check, command->device);
     CLI::App& renew = addSubcommand(*golden, action, command, "renew",

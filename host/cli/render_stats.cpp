@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/json_text.hpp"
+
 namespace raytorus::cli {
 namespace {
 
@@ -93,7 +95,7 @@ std::string statsJson(const RenderStats& stats) {
     if (times.fastestRepeat) {
         json["seconds"]["fastestRepeat"] = times.fastestRepeat->total();
     }
-    return json.dump(2);
+    return dumpJson(json);
 }
 
 }  // namespace raytorus::cli

@@ -49,19 +49,25 @@ bool isShown(std::uint32_t code) {
     return !control && !turns && !breaksLine && !noncharacter && code != 0xFEFFU;
 }
 
+std::string escaped(std::string_view bytes) {
+    const Character character = firstOf(bytes);
+    if (character.bytes == 0) {
+        return fmt::format("\\x{:02x}", static_cast<unsigned char>(bytes.front()));
+    }
+    return character.code > 0xFFFFU ? fmt::format("\\U{:08x}", character.code)
+                                    : fmt::format("\\u{:04x}", character.code);
+}
+
 // Up to `most` bytes; lines stay lines unless they are to be one.
-std::string shown(std::string_view text, std::size_t most, bool oneLine) {
+std::string shown(std::string_view text, std::size_t most, bool oneLine, const Replacement& instead) {
     std::string result;
     while (!text.empty()) {
         const Character character = firstOf(text);
         const std::size_t bytes = character.bytes > 0 ? character.bytes : 1;
         const bool layout = !oneLine && (text.front() == '\n' || text.front() == '\t');
         std::string part(text.substr(0, bytes));
-        if (character.bytes == 0) {
-            part = fmt::format("\\x{:02x}", static_cast<unsigned char>(text.front()));
-        } else if (!layout && !isShown(character.code)) {
-            part = character.code > 0xFFFFU ? fmt::format("\\U{:08x}", character.code)
-                                            : fmt::format("\\u{:04x}", character.code);
+        if (character.bytes == 0 || (!layout && !isShown(character.code))) {
+            part = instead(part);
         }
         if (result.size() + part.size() > most) {
             return result + "...";
@@ -92,12 +98,16 @@ bool isUtf8(std::string_view text) {
     return true;
 }
 
+std::string replaceHidden(std::string_view text, const Replacement& instead) {
+    return shown(text, std::string::npos, false, instead);
+}
+
 std::string printable(std::string_view text) {
-    return shown(text, std::string::npos, false);
+    return replaceHidden(text, escaped);
 }
 
 std::string excerpt(std::string_view text, std::size_t most) {
-    return shown(text, most, true);
+    return shown(text, most, true, escaped);
 }
 
 void writeOutput(std::string_view text) {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,6 +14,12 @@ namespace raytorus {
 
 /// Whether all of it is well formed.
 bool isUtf8(std::string_view text);
+
+/// What stands in the place of a character, or of a byte that is no UTF-8.
+using Replacement = std::function<std::string(std::string_view bytes)>;
+
+/// The text with all replaced that may not be shown, as printable() tells.
+std::string replaceHidden(std::string_view text, const Replacement& instead);
 
 /// The text as it may be shown: a terminal obeys some characters, and turns the direction of what follows
 /// others. Those, and noncharacters, become \u001b, and bytes that are no UTF-8 become \xff. Tabs and ends of

@@ -13,7 +13,11 @@
 #include <climits>
 #include <csignal>
 #include <cstring>
+#include <map>
+#include <mutex>
 #include <random>
+#include <set>
+#include <string>
 #include <system_error>
 #include <utility>
 
@@ -74,22 +78,41 @@ bool isTemporaryOf(const std::string& stem, const std::string& name) {
            name.find_first_not_of("0123456789abcdef", stem.size()) == std::string::npos;
 }
 
+// Names that begin and end as those of temporary files, in a folder as it was when this process first wrote
+// there: to look again for each of many files would take a time that grows with their square.
+const std::set<std::string>& leftIn(const fs::path& folder) {
+    static std::mutex mutex;
+    static std::map<fs::path, std::set<std::string>> found;
+    const std::scoped_lock lock(mutex);
+    const auto [place, isNew] = found.try_emplace(folder);
+    std::error_code none;
+    for (fs::directory_iterator entry(folder, none), end; isNew && !none && entry != end;
+         entry.increment(none)) {
+        const std::string name = entry->path().filename().string();
+        if (name.size() > randomDigits && isTemporaryOf(name.substr(0, name.size() - randomDigits), name) &&
+            name.starts_with('.')) {
+            place->second.insert(name);
+        }
+    }
+    return place->second;
+}
+
 // Whoever writes a temporary file has it locked, and the system lets go of a lock when its program ends.
 void removeStale(const fs::path& target) {
     const std::string stem = temporaryStem(target);
-    std::error_code none;
-    const fs::path folder = target.parent_path();
-    for (fs::directory_iterator entry(folder.empty() ? "." : folder, none), end; !none && entry != end;
-         entry.increment(none)) {
-        if (!isTemporaryOf(stem, entry->path().filename().string())) {
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : ".";
+    const std::set<std::string>& left = leftIn(folder);
+    for (auto name = left.lower_bound(stem); name != left.end() && name->starts_with(stem); ++name) {
+        if (!isTemporaryOf(stem, *name)) {
             continue;
         }
-        const int stale = open(entry->path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+        const fs::path path = folder / *name;
+        const int stale = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
         if (stale >= 0) {
             if (flock(stale, LOCK_EX | LOCK_NB) == 0) {
-                unlink(entry->path().c_str());
+                unlink(path.c_str());
             }
-            close(stale);
+            ::close(stale);
         }
     }
 }
@@ -147,7 +170,7 @@ void OutputFile::create(unsigned permissions) {
         if (access(temporary.c_str(), F_OK) == 0) {
             break;
         }
-        close(std::exchange(file, -1));
+        ::close(std::exchange(file, -1));
     }
     if (file < 0) {
         fail(ENOENT);
@@ -158,9 +181,11 @@ void OutputFile::create(unsigned permissions) {
 }
 
 OutputFile::~OutputFile() {
-    if (file >= 0) {
+    if (!temporary.empty()) {
         unlink(temporary.c_str());
-        close(file);
+    }
+    if (file >= 0) {
+        ::close(file);
     }
     forget(place);
 }
@@ -191,20 +216,33 @@ void OutputFile::write(std::span<const std::byte> bytes) {
     }
 }
 
-void OutputFile::commit() {
+// Some file systems tell only when a file is closed that they could not keep it.
+void OutputFile::close() {
     flush();
-    // Renamed while it is open, and so locked: nobody takes it for stale. Some file systems tell only when a
-    // file is closed that they could not keep it, so a second name for it is closed first.
-    const int copy = dup(file);
-    if (copy < 0 || close(copy) != 0) {
+    if (::close(std::exchange(file, -1)) != 0) {
         fail(errno);
+    }
+}
+
+void OutputFile::commit() {
+    if (file >= 0) {
+        flush();
+        // Renamed while it is open, and so locked: nobody takes it for stale. What is closed is a second
+        // name.
+        const int copy = dup(file);
+        if (copy < 0 || ::close(copy) != 0) {
+            fail(errno);
+        }
     }
     if (rename(temporary.c_str(), target.c_str()) != 0) {
         fail(errno);
     }
+    temporary.clear();
     forget(place);
     place = mostUnfinished;
-    close(std::exchange(file, -1));
+    if (file >= 0) {
+        ::close(std::exchange(file, -1));
+    }
 }
 
 void requireWritable(const fs::path& path) {

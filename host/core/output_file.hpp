@@ -27,6 +27,10 @@ public:
     void write(std::span<const std::byte> bytes);
     void write(std::string_view text) { write(std::as_bytes(std::span(text))); }
 
+    /// Finishes the file, but leaves it beside its target, and gives back its descriptor: of many files at
+    /// once not all can be open. From here on another program that writes the same file may remove it.
+    void close();
+
     /// Finishes the file. Without it nothing is left behind.
     void commit();
 

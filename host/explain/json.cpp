@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/json_text.hpp"
 #include "explain/conclusion.hpp"
 #include "explain/number_text.hpp"
 #include "explain/table.hpp"
@@ -151,7 +152,7 @@ std::string jsonOf(const Explanation& e) {
     json["closedForm"] = e.closedForms.answers ? verdictJson(e.closedForms) : Json(nullptr);
     json["right"] = isRight(e);
     json["conclusion"] = e.conclusion;
-    return json.dump(2);
+    return dumpJson(json);
 }
 
 }  // namespace raytorus::explain

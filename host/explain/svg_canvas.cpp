@@ -3,28 +3,10 @@
 
 #include <fmt/format.h>
 
+#include "core/markup.hpp"
+
 namespace raytorus::explain {
 namespace {
-
-std::string escaped(const std::string& words) {
-    std::string text;
-    for (const char character : words) {
-        switch (character) {
-            case '<':
-                text += "&lt;";
-                break;
-            case '>':
-                text += "&gt;";
-                break;
-            case '&':
-                text += "&amp;";
-                break;
-            default:
-                text += character;
-        }
-    }
-    return text;
-}
 
 std::string coordinates(const Polyline& points) {
     std::string text;
@@ -67,7 +49,7 @@ void Canvas::circle(Point centre, double radius, const std::string& style) {
 
 void Canvas::text(Point at, const std::string& words, const std::string& style) {
     svg += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\"{}{}>{}</text>\n", at.x, at.y,
-                       style.empty() ? "" : " ", style, escaped(words));
+                       style.empty() ? "" : " ", style, escapeHtml(words));
 }
 
 void Canvas::open(const std::string& name, const Frame& frame) {

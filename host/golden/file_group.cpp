@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "golden/file_group.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <csignal>
 #include <memory>
-#include <random>
 #include <system_error>
 #include <utility>
 
@@ -17,97 +21,155 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t longestStem = 200;  // with the rest a name that file systems take
+// What was there before, by name; a directory stands for a file that was not there. While this folder is
+// there, a commit is not done. Its renaming is what ends it, at once and for all files.
+constexpr const char* keptName = ".renewal";
+constexpr const char* doneName = ".renewal-done";
 
-// What a path leads to, hidden and kept until the whole group is in its place.
-class Kept {
-public:
-    explicit Kept(const fs::path& path) : name(path) {
-        std::error_code problem;
-        target = fs::canonical(path, problem);
-        if (problem) {
-            return;  // nothing is there yet
-        }
-        std::random_device random;
-        const std::string stem = target.filename().string().substr(0, longestStem);
-        copy = target.parent_path() / fmt::format(".{}.old-{:08x}{:08x}", stem, random(), random());
+[[noreturn]] void failKeeping(const fs::path& path, const std::error_code& problem) {
+    throw Error(ExitCode::File, fmt::format("cannot keep \"{}\" while it is replaced: {}", path.string(),
+                                            systemReason(problem.value())));
+}
+
+void keep(const fs::path& target, const fs::path& copy) {
+    std::error_code problem;
+    const fs::path file = fs::canonical(target, problem);
+    if (problem) {  // nothing is there yet
+        problem.clear();
+        fs::create_directory(copy, problem);
+    } else {
         // A link takes no room, so that there is nothing more that could fail when it is put back.
-        fs::create_hard_link(target, copy, problem);
+        fs::create_hard_link(file, copy, problem);
         if (problem) {
-            fs::copy_file(target, copy, problem);
-        }
-        if (problem) {
-            throw Error(ExitCode::File, fmt::format("cannot keep \"{}\" while it is replaced: {}",
-                                                    path.string(), systemReason(problem.value())));
+            fs::copy_file(file, copy, problem);
         }
     }
-    Kept(const Kept&) = delete;
-    Kept& operator=(const Kept&) = delete;
-    ~Kept() {
-        std::error_code ignored;
-        if (!copy.empty()) {
-            fs::remove(copy, ignored);
-        }
+    if (problem) {
+        failKeeping(target, problem);
     }
+}
 
-    /// Empty, or why it did not work and where the old content is.
-    std::string putBack() {
-        std::error_code problem;
-        if (copy.empty()) {
-            fs::remove(fs::canonical(name, problem), problem);
-            return problem ? fmt::format("\"{}\" is new and could not be removed", name.string()) : "";
-        }
-        fs::rename(copy, target, problem);
-        if (!problem) {
-            return "";
-        }
-        return fmt::format("\"{}\" could not be put back from \"{}\"", name.string(),
-                           std::exchange(copy, fs::path()).string());
+// Empty, or why it did not work.
+std::string putBackOne(const fs::path& copy, const fs::path& target) {
+    std::error_code problem;
+    const fs::path file = fs::weakly_canonical(target, problem);
+    if (fs::is_directory(copy)) {
+        fs::remove(file, problem);
+        return problem ? fmt::format("; \"{}\" is new and could not be removed", target.string()) : "";
     }
-
-private:
-    fs::path name;
-    fs::path target;  // where the name leads
-    fs::path copy;    // empty: there was no file
-};
-
-std::string putBackAll(const std::vector<std::unique_ptr<Kept>>& kept, std::size_t count) {
-    std::string faults;
-    for (std::size_t i = count; i-- > 0;) {
-        if (const std::string fault = kept[i]->putBack(); !fault.empty()) {
-            faults += "; " + fault;
-        }
+    if (fs::equivalent(copy, file, problem)) {
+        return "";  // not replaced yet
     }
-    return faults.empty() ? "; all files are as they were" : faults;
+    fs::rename(copy, file, problem);
+    if (problem == std::errc::cross_device_link) {
+        fs::copy_file(copy, file, fs::copy_options::overwrite_existing, problem);
+    }
+    return problem ? fmt::format("; \"{}\" could not be put back from \"{}\"", target.string(), copy.string())
+                   : "";
+}
+
+// Empty, or what is still to be put back. Ended in the middle, it can be done again.
+std::string putBackAll(const fs::path& folder) {
+    std::error_code problem;
+    std::vector<fs::path> copies;
+    for (fs::directory_iterator entry(folder / keptName, problem), end; !problem && entry != end;
+         entry.increment(problem)) {
+        copies.push_back(entry->path());
+    }
+    std::string faults = problem ? fmt::format("; cannot list \"{}\"", (folder / keptName).string()) : "";
+    for (const fs::path& copy : copies) {
+        faults += putBackOne(copy, folder / copy.filename());
+    }
+    return faults;
+}
+
+// From here on there is nothing to put back.
+void endCommit(const fs::path& folder) {
+    std::error_code problem;
+    fs::remove_all(folder / doneName, problem);
+    fs::rename(folder / keptName, folder / doneName, problem);
+    if (problem) {
+        failKeeping(folder / keptName, problem);
+    }
+    fs::remove_all(folder / doneName, problem);
 }
 
 }  // namespace
 
-void FileGroup::add(fs::path path, std::span<const std::byte> bytes) {
-    members.push_back({std::move(path), {bytes.begin(), bytes.end()}});
+FolderLock::FolderLock(const fs::path& folder)
+    : file(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    // Where a file system knows no locks, people have to take care.
+    static_cast<void>(flock(file, LOCK_EX));
+    sigset_t held;
+    sigemptyset(&held);
+    for (const int number : {SIGHUP, SIGINT, SIGTERM}) {
+        sigaddset(&held, number);
+    }
+    pthread_sigmask(SIG_BLOCK, &held, &before);
 }
 
-void FileGroup::add(fs::path path, std::string_view text) {
-    add(std::move(path), std::as_bytes(std::span(text)));
+FolderLock::~FolderLock() {
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    if (file >= 0) {
+        close(file);
+    }
+}
+
+void FileGroup::add(const std::string& name, std::span<const std::byte> bytes) {
+    members.push_back({name, {bytes.begin(), bytes.end()}});
+}
+
+void FileGroup::add(const std::string& name, std::string_view text) {
+    add(name, std::as_bytes(std::span(text)));
 }
 
 void FileGroup::commit() const {
     std::vector<std::unique_ptr<OutputFile>> files;
-    std::vector<std::unique_ptr<Kept>> kept;
     for (const Member& member : members) {
-        files.push_back(std::make_unique<OutputFile>(member.path));
+        files.push_back(std::make_unique<OutputFile>(folder / member.name));
         files.back()->write(member.bytes);
+        files.back()->close();
     }
-    for (const Member& member : members) {
-        kept.push_back(std::make_unique<Kept>(member.path));
+    std::error_code problem;
+    if (!fs::create_directory(folder / keptName, problem)) {
+        failKeeping(folder / keptName, problem ? problem : std::make_error_code(std::errc::file_exists));
     }
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        try {
-            files[i]->commit();
-        } catch (const Error& error) {
-            throw Error(error.exitCode, error.what() + putBackAll(kept, i));
+    try {
+        for (const Member& member : members) {
+            keep(folder / member.name, folder / keptName / member.name);
         }
+        for (const std::unique_ptr<OutputFile>& file : files) {
+            file->commit();
+        }
+        endCommit(folder);
+    } catch (const Error& error) {
+        const std::string faults = putBackAll(folder);
+        if (faults.empty()) {
+            endCommit(folder);
+        }
+        throw Error(error.exitCode,
+                    error.what() + (faults.empty() ? "; all files are as they were" : faults));
     }
+}
+
+bool isUnfinished(const fs::path& folder) {
+    std::error_code none;
+    return fs::is_directory(folder / keptName, none);
+}
+
+bool putBack(const fs::path& folder) {
+    if (!isUnfinished(folder)) {
+        return false;
+    }
+    if (const std::string faults = putBackAll(folder); !faults.empty()) {
+        throw Error(ExitCode::File, "a renewal was ended in the middle" + faults);
+    }
+    endCommit(folder);
+    return true;
+}
+
+bool isKept(std::string_view name) {
+    return name == keptName || name == doneName;
 }
 
 }  // namespace raytorus::golden

@@ -38,6 +38,9 @@ void prepare(const gpu::Context& context, const Set& set, const Case& row, rende
 }
 
 void requireSound(const Set& set) {
+    if (const std::string fault = renewalFault(set); !fault.empty()) {
+        throw Error(ExitCode::File, fault);
+    }
     for (const Case& row : set.cases()) {
         static_cast<void>(render::readScene(set.scene(row)));
         if (const std::string fault = truthFault(set, row); !fault.empty()) {

@@ -11,7 +11,9 @@
 
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "core/json_text.hpp"
 #include "core/sha256.hpp"
+#include "golden/file_group.hpp"
 #include "image/manifest.hpp"
 #include "render/json_node.hpp"
 
@@ -19,14 +21,15 @@ namespace raytorus::golden {
 namespace {
 
 namespace fs = std::filesystem;
+using render::JsonNode;
 
 // What is wrong in these files is a fault of the file, wherever else such JSON may be a scene.
-void readJson(const fs::path& path, const std::function<void(const render::JsonNode&)>& read) {
+void readJson(const fs::path& path, const std::function<void(const JsonNode&)>& read) {
     const std::string text = readTextFile(path);
     const std::string name = path.string();
     try {
-        const render::Json tree = render::parseStrictJson(text, name);
-        read(render::JsonNode(tree, name));
+        const Json tree = parseStrictJson(text, name);
+        read(JsonNode(tree, name));
     } catch (const Error& error) {
         throw Error(ExitCode::File, error.what());
     }
@@ -39,7 +42,7 @@ struct Sidecar {
 
 Sidecar readSidecar(const fs::path& path) {
     Sidecar sidecar;
-    readJson(path, [&sidecar](const render::JsonNode& top) {
+    readJson(path, [&sidecar](const JsonNode& top) {
         top.expectObject();
         sidecar.scene = top.requiredMember("scene").text();
         sidecar.samplesPerPixel =
@@ -78,7 +81,7 @@ void addStrays(const Set& set, std::vector<std::string>& faults) {
         for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end;
              entry.increment(problem)) {
             const std::string name = entry->path().lexically_relative(set.folder()).generic_string();
-            if (!expected.contains(name)) {
+            if (!expected.contains(name) && !isKept(name)) {
                 strays.insert(name);
             }
         }
@@ -129,10 +132,22 @@ std::string truthFault(const Set& set, const Case& row) {
     return fault.empty() ? sidecarFault(set, row) : fault;
 }
 
+std::string renewalFault(const Set& set) {
+    return isUnfinished(set.folder()) ? fmt::format(
+                                            "{}: a renewal is under way, or was ended in the middle; the "
+                                            "next \"raytorus golden renew\" "
+                                            "first puts back what that one replaced",
+                                            set.folder().string())
+                                      : "";
+}
+
 std::vector<std::string> folderFaults(const Set& set) {
     std::vector<std::string> faults;
     addFaults(faults,
               [&] { faults = image::manifestFaults(image::readManifest(set.manifest()), set.folder()); });
+    if (const std::string fault = renewalFault(set); !fault.empty()) {
+        faults.insert(faults.begin(), fault);
+    }
     addStrays(set, faults);
     for (const Case& row : set.cases()) {
         addFaults(faults, [&] {
@@ -154,12 +169,12 @@ std::vector<std::string> folderFaults(const Set& set) {
 
 std::map<std::string, std::string> readBits(const Set& set) {
     std::map<std::string, std::string> bits;
-    readJson(set.bits(), [&bits](const render::JsonNode& top) {
+    readJson(set.bits(), [&bits](const JsonNode& top) {
         top.expectObject();
-        const render::JsonNode pictures = top.requiredMember("sha256");
+        const JsonNode pictures = top.requiredMember("sha256");
         pictures.expectObject();
         for (std::size_t i = 0; i < pictures.value().size(); ++i) {
-            const render::JsonNode hash = pictures.child(i);
+            const JsonNode hash = pictures.child(i);
             bits[std::string(hash.key())] = hash.text();
         }
     });
@@ -168,7 +183,7 @@ std::map<std::string, std::string> readBits(const Set& set) {
 
 void writeBits(const Set& set, const std::map<std::string, std::string>& bits, const std::string& reason) {
     const nlohmann::ordered_json json = {{"reason", reason}, {"raytorus", version()}, {"sha256", bits}};
-    const std::string text = json.dump(2) + "\n";
+    const std::string text = dumpJson(json) + "\n";
     writeFile(set.bits(), std::as_bytes(std::span(text)));
 }
 

@@ -11,8 +11,12 @@
 
 namespace raytorus::golden {
 
-/// A sentence each: truths that are missing, truncated, changed or not in the manifest; scenes that have
-/// changed since their truth was made; files that no case accounts for; cases without recorded bits.
+/// That a renewal did not come to its end; empty if there is none such.
+std::string renewalFault(const Set& set);
+
+/// A sentence each: that, if anything; truths that are missing, truncated, changed or not in the manifest;
+/// scenes that have changed since their truth was made; files that no case accounts for; cases without
+/// recorded bits.
 std::vector<std::string> folderFaults(const Set& set);
 
 /// Why the truth of a case is not to be compared with, by the manifest and its sidecar; empty if it is.

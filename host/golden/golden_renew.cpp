@@ -9,6 +9,7 @@
 #include "core/console.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "core/json_text.hpp"
 #include "core/sha256.hpp"
 #include "golden/file_group.hpp"
 #include "image/image_codec.hpp"
@@ -85,7 +86,7 @@ std::string sidecarText(const Task& task, const Renewal& renewal, const std::str
                                             {"samplesPerPixel", side * side},
                                             {"pixels", renewal.pixels},
                                             {"marginalPixels", renewal.marginal}};
-    return sidecar.dump(2) + "\n";
+    return dumpJson(sidecar) + "\n";
 }
 
 image::Image truthOf(const Task& task, const std::function<void(double)>& progress) {
@@ -112,13 +113,18 @@ void requireRenewal(const std::string& reason) {
     }
 }
 
+bool recover(const Set& set) {
+    const FolderLock lock(set.folder());
+    return putBack(set.folder());
+}
+
 std::vector<Renewal> renew(const Set& set, std::span<const Case> rows, const std::string& reason,
                            const std::function<void(double)>& progress) {
     requireRenewal(reason);
     const std::vector<Task> tasks = prepare(set, rows);
     std::vector<Renewal> renewals;
     std::map<std::string, image::ManifestEntry> entries;
-    FileGroup files;
+    FileGroup files(set.folder());
     for (const Task& task : tasks) {
         const auto partDone = [&](double done) {
             if (progress) {
@@ -130,15 +136,17 @@ std::vector<Renewal> renew(const Set& set, std::span<const Case> rows, const std
         const std::vector<std::byte> bytes = image::encode(truth, image::Format::Exr, path.string());
         renewals.push_back({truth.width * truth.height, marginalPixels(truth)});
         entries[path.filename().string()] = image::manifestEntry(bytes);
-        files.add(path, bytes);
-        files.add(set.sidecar(*task.row), sidecarText(task, renewals.back(), reason));
+        files.add(path.filename().string(), bytes);
+        files.add(set.sidecar(*task.row).filename().string(), sidecarText(task, renewals.back(), reason));
     }
     // As it is now: rendering may have taken minutes.
+    const FolderLock lock(set.folder());
+    putBack(set.folder());
     image::Manifest manifest = manifestNow(set);
     for (const auto& [name, entry] : entries) {
         manifest.files[name] = entry;
     }
-    files.add(set.manifest(), image::manifestText(manifest));
+    files.add(set.manifest().filename().string(), image::manifestText(manifest));
     files.commit();
     return renewals;
 }

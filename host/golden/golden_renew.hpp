@@ -24,6 +24,9 @@ struct Renewal {
 std::vector<Renewal> renew(const Set& set, std::span<const Case> rows, const std::string& reason,
                            const std::function<void(double)>& progress = {});
 
+/// Puts back what a renewal that was killed in the middle has replaced. Returns whether there was one.
+bool recover(const Set& set);
+
 /// Throws Error{Usage} in CI, where goldens are compared with and not made, or if the reason is blank or not
 /// UTF-8.
 void requireRenewal(const std::string& reason);

@@ -72,7 +72,7 @@ Case readCase(const JsonNode& node) {
 
 Set::Set(std::filesystem::path goldenFolder) : root(std::move(goldenFolder)) {
     const std::string path = (root / "cases.json").string();
-    const render::Json tree = render::parseStrictJson(readTextFile(path), path);
+    const Json tree = parseStrictJson(readTextFile(path), path);
     const JsonNode top(tree, path);
     top.expectKeys({"cases"});
     const JsonNode list = top.requiredMember("cases");

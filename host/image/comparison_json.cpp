@@ -5,6 +5,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "core/json_text.hpp"
 #include "image/comparison_text.hpp"
 
 namespace raytorus::image {
@@ -89,8 +90,7 @@ std::string jsonText(const Comparison& comparison) {
         json["channels"] = Json::array();
         std::ranges::transform(comparison.channels, std::back_inserter(json["channels"]), channelJson);
     }
-    // Channel names come from files: what is not UTF-8 in them is replaced, not an exception.
-    return json.dump(2, ' ', false, Json::error_handler_t::replace);
+    return dumpJson(json);
 }
 
 }  // namespace raytorus::image

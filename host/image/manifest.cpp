@@ -12,7 +12,9 @@
 #include "core/console.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "core/json_text.hpp"
 #include "core/sha256.hpp"
+#include "core/strict_json.hpp"
 #include "image/image_io.hpp"
 
 namespace raytorus::image {
@@ -21,10 +23,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Json = nlohmann::ordered_json;
-
 [[noreturn]] void fail(const fs::path& path, const std::string& reason) {
     throw Error(ExitCode::File, fmt::format("\"{}\" is not a manifest: {}", path.string(), reason));
+}
+
+Json parse(const fs::path& path) {
+    const std::string text = readTextFile(path);
+    try {
+        return parseStrictJson(text, path.string());
+    } catch (const Error& error) {
+        throw Error(ExitCode::File, error.what());  // not of a scene
+    }
 }
 
 bool isSha256(std::string_view text) {
@@ -70,10 +79,7 @@ ManifestEntry manifestEntry(std::span<const std::byte> bytes) {
 }
 
 Manifest readManifest(const fs::path& path) {
-    const Json json = Json::parse(readTextFile(path), nullptr, false);
-    if (json.is_discarded()) {
-        fail(path, "it is not JSON");
-    }
+    const Json json = parse(path);
     if (!json.is_object() || !json.contains("files") || !json["files"].is_object()) {
         fail(path, "it has no object \"files\"");
     }
@@ -93,7 +99,7 @@ std::string manifestText(const Manifest& manifest) {
         }
         files[name] = {{"sha256", entry.sha256}, {"bytes", entry.bytes}};
     }
-    return Json{{"files", files}}.dump(2) + "\n";
+    return dumpJson({{"files", files}}) + "\n";
 }
 
 void writeManifest(const fs::path& path, const Manifest& manifest) {

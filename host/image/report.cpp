@@ -10,6 +10,7 @@
 #include <limits>
 #include <system_error>
 
+#include "core/markup.hpp"
 #include "core/output_file.hpp"
 #include "image/report_case.hpp"
 #include "image/report_style.hpp"
@@ -164,32 +165,6 @@ void writeReportFolder(const std::filesystem::path& folder, std::span<const Repo
     write("report.json", reportJson(cases, heading));
     write("junit.xml", reportJunit(cases, heading));
     write("index.html", reportHtml(cases, heading));
-}
-
-std::string escapeHtml(std::string_view text) {
-    std::string escaped;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                escaped += "&amp;";
-                break;
-            case '<':
-                escaped += "&lt;";
-                break;
-            case '>':
-                escaped += "&gt;";
-                break;
-            case '"':
-                escaped += "&quot;";
-                break;
-            case '\'':
-                escaped += "&#39;";
-                break;
-            default:
-                escaped += c;
-        }
-    }
-    return escaped;
 }
 
 }  // namespace raytorus::image

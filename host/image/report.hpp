@@ -78,7 +78,4 @@ void prepareReportFolder(const std::filesystem::path& folder);
 void writeReportFolder(const std::filesystem::path& folder, std::span<const ReportCase> cases,
                        const ReportHeading& heading = {});
 
-/// Text with the characters that mean something in HTML written as entities.
-[[nodiscard]] std::string escapeHtml(std::string_view text);
-
 }  // namespace raytorus::image

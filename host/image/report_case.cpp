@@ -10,6 +10,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "core/markup.hpp"
 #include "image/channel_judge.hpp"
 #include "image/comparison_text.hpp"
 #include "image/difference.hpp"

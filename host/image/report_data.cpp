@@ -6,6 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/json_text.hpp"
+#include "core/markup.hpp"
 #include "image/comparison_text.hpp"
 #include "image/report.hpp"
 #include "image/report_case.hpp"
@@ -15,11 +17,6 @@ namespace raytorus::image {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string jsonOf(const Json& json, int indent) {
-    // Names come from files: what is not UTF-8 in them is replaced, not an exception.
-    return json.dump(indent, ' ', false, Json::error_handler_t::replace);
-}
 
 Json caseJson(const ReportCase& reported) {
     Json json = {{"name", reported.name},
@@ -45,22 +42,14 @@ Json caseJson(const ReportCase& reported) {
     return json;
 }
 
-// Text as XML may hold it: valid UTF-8, and of the control characters none.
-std::string escapeXml(const std::string& text) {
-    std::string valid = Json::parse(jsonOf(Json(text), -1)).get<std::string>();
-    std::ranges::replace_if(
-        valid, [](char c) { return static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t'; }, '?');
-    return escapeHtml(valid);
-}
-
 // Something to compare was there, and it was wrong: a failure. Anything else that did not pass: an error.
 bool isFailure(const ReportCase& reported) {
     return reported.comparison && reported.comparison->verdict == Verdict::Differ;
 }
 
 std::string caseXml(const ReportCase& reported, const std::string& suite) {
-    std::string xml = fmt::format(R"(  <testcase classname="{}" name="{}" time="{:.3f}")", escapeXml(suite),
-                                  escapeXml(reported.name), reported.seconds);
+    std::string xml = fmt::format(R"(  <testcase classname="{}" name="{}" time="{:.3f}")", escapeHtml(suite),
+                                  escapeHtml(reported.name), reported.seconds);
     if (reported.passed) {
         return xml + "/>\n";
     }
@@ -70,8 +59,8 @@ std::string caseXml(const ReportCase& reported, const std::string& suite) {
         details += "run again: " + reported.rerunCommand + "\n";
     }
     return xml + fmt::format(">\n    <{0} type=\"{1}\" message=\"{2}\">{3}</{0}>\n  </testcase>\n", tag,
-                             escapeXml(verdictOf(reported)), escapeXml(reported.sentence),
-                             escapeXml(details));
+                             escapeHtml(verdictOf(reported)), escapeHtml(reported.sentence),
+                             escapeHtml(details));
 }
 
 }  // namespace
@@ -90,7 +79,7 @@ std::string reportJson(std::span<const ReportCase> cases, const ReportHeading& h
     for (const ReportCase& reported : cases) {
         json["results"].push_back(caseJson(reported));
     }
-    return jsonOf(json, 2) + "\n";
+    return dumpJson(json) + "\n";
 }
 
 std::string reportJunit(std::span<const ReportCase> cases, const ReportHeading& heading) {
@@ -109,7 +98,7 @@ std::string reportJunit(std::span<const ReportCase> cases, const ReportHeading& 
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         "<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"0\" time=\"{:.3f}\">\n"
         "{}</testsuite>\n",
-        escapeXml(heading.title), cases.size(), failures, errors, seconds, body);
+        escapeHtml(heading.title), cases.size(), failures, errors, seconds, body);
 }
 
 }  // namespace raytorus::image

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/markup.hpp"
 #include "image/channel_judge.hpp"
 #include "image/comparison_text.hpp"
 #include "image/difference_histogram.hpp"

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "render/strict_json.hpp"
+#include "core/strict_json.hpp"
 
 namespace raytorus::render {
 

@@ -3,8 +3,9 @@
 // docs/scenes.md, numbers with as many digits as they need.
 #include <glm/gtc/quaternion.hpp>
 
+#include "core/json_text.hpp"
+#include "core/strict_json.hpp"
 #include "render/scene_json.hpp"
-#include "render/strict_json.hpp"
 
 namespace raytorus::render {
 namespace {
@@ -77,7 +78,7 @@ std::string writeScene(const Scene& scene) {
                                {"axis", toJson(scene.turntable->axis)},
                                {"center", toJson(scene.turntable->center)}}}};
     }
-    return json.dump(2) + "\n";
+    return dumpJson(json) + "\n";
 }
 
 }  // namespace raytorus::render

@@ -48,14 +48,14 @@ std::vector<std::string> listFaults(const VerifyOptions& options, const std::vec
         }
         for (const Example& example : result.statistics.examples) {
             print("  {}: {}\n", nameOf(example.fault),
-                  replayCommand(options.method, example.torus, example.ray));
+                  replayCommand(options.command(), example.torus, example.ray));
         }
         if (result.statistics.faultCount() == 0) {
-            print(
-                "  position: {}\n  t: {}\n",
-                replayCommand(options.method, result.statistics.position.worstTorus,
-                              result.statistics.position.worstRay),
-                replayCommand(options.method, result.statistics.t.worstTorus, result.statistics.t.worstRay));
+            print("  position: {}\n  t: {}\n",
+                  replayCommand(options.command(), result.statistics.position.worstTorus,
+                                result.statistics.position.worstRay),
+                  replayCommand(options.command(), result.statistics.t.worstTorus,
+                                result.statistics.t.worstRay));
         }
     }
     return broken;
@@ -81,8 +81,8 @@ ExitCode verifyAll(gpu::Context& context, Verifier& verifier, const VerifyOption
     const auto rays = static_cast<double>(options.rays) * static_cast<double>(results.size());
     print("{:.3g} rays in {:.1f} s: {:.3g} million a minute\n", rays, seconds, 60e-6 * rays / seconds);
     if (file) {
-        const Run run{options.method, options.seed,        options.rays,
-                      seconds,        context.info().name, context.info().driverInfo};
+        const Run run{options.method,      options.command(),        options.seed, options.rays, seconds,
+                      context.info().name, context.info().driverInfo};
         file->write(resultsJson(run, results, broken));
         file->commit();
     }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
+#include "core/json_text.hpp"
 
 namespace raytorus::verify {
 namespace {
@@ -74,7 +75,7 @@ ordered_json errorsJson(const Errors& errors) {
     return json;
 }
 
-ordered_json cellJson(const CellResult& result, const std::string& method) {
+ordered_json cellJson(const CellResult& result, const std::string& command) {
     const auto& [cell, statistics] = result;
     ordered_json json;
     json["class"] = reference::nameOf(cell.rayClass);
@@ -97,18 +98,16 @@ ordered_json cellJson(const CellResult& result, const std::string& method) {
     for (const Example& example : statistics.examples) {
         json["examples"].push_back({{"fault", nameOf(example.fault)},
                                     {"ray", reference::hexFloats(example.torus, example.ray)},
-                                    {"replay", replayCommand(method, example.torus, example.ray)}});
+                                    {"replay", replayCommand(command, example.torus, example.ray)}});
     }
     return json;
 }
 
 }  // namespace
 
-std::string replayCommand(const std::string& method, const reference::Torus& torus,
+std::string replayCommand(const std::string& command, const reference::Torus& torus,
                           const reference::Ray& ray) {
-    return fmt::format("raytorus-verify{} --replay \"{}\"",
-                       method == "raytorus" ? std::string() : " --method " + method,
-                       reference::hexFloats(torus, ray));
+    return fmt::format("{} --replay \"{}\"", command, reference::hexFloats(torus, ray));
 }
 
 std::string tableText(std::span<const CellResult> results, Rows rows) {
@@ -144,9 +143,9 @@ std::string resultsJson(const Run& run, std::span<const CellResult> results,
     json["barsBroken"] = broken;
     json["cells"] = ordered_json::array();
     for (const CellResult& result : results) {
-        json["cells"].push_back(cellJson(result, run.method));
+        json["cells"].push_back(cellJson(result, run.command));
     }
-    return json.dump(1) + "\n";
+    return dumpJson(json, 1) + "\n";
 }
 
 }  // namespace raytorus::verify

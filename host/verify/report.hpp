@@ -23,6 +23,7 @@ std::string tableText(std::span<const CellResult> results, Rows rows);
 
 struct Run {
     std::string method;
+    std::string command;  ///< that judges again as this run does; a ray is put behind it
     std::uint64_t seed = 0;
     std::uint64_t raysPerCell = 0;
     double seconds = 0.0;
@@ -34,8 +35,8 @@ struct Run {
 std::string resultsJson(const Run& run, std::span<const CellResult> results,
                         std::span<const std::string> broken);
 
-/// The command that replays a ray.
-std::string replayCommand(const std::string& method, const reference::Torus& torus,
+/// The command with a ray to replay.
+std::string replayCommand(const std::string& command, const reference::Torus& torus,
                           const reference::Ray& ray);
 
 }  // namespace raytorus::verify

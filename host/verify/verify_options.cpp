@@ -14,6 +14,8 @@
 #include "cli/program.hpp"
 #include "core/error.hpp"
 #include "core/parse_number.hpp"
+#include "core/shell_quote.hpp"
+#include "render/device_words.hpp"
 
 namespace raytorus::verify {
 namespace {
@@ -76,6 +78,11 @@ std::uint64_t seedOfToday() {
         std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now())};
     return static_cast<std::uint64_t>(static_cast<int>(today.year())) * 10000U +
            static_cast<unsigned>(today.month()) * 100U + static_cast<unsigned>(today.day());
+}
+
+std::string VerifyOptions::command() const {
+    const std::string who = method == methods().front().name ? "" : shellOption("--method", method);
+    return programName + who + render::deviceWords(device.context, device.shaderFolder);
 }
 
 std::optional<VerifyOptions> parseOptions(const std::vector<std::string>& arguments) {

@@ -27,6 +27,9 @@ struct VerifyOptions {
     std::optional<reference::TorusAndRay> replay;
     unsigned threads = 0;  ///< 0: as many as there are processors
     cli::DeviceOptions device;
+
+    /// This program, with the method and the device that were given.
+    [[nodiscard]] std::string command() const;
 };
 
 /// Nothing if there is nothing to do: --help and --version have been answered. Throws Error{Usage}.

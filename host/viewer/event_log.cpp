@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/console.hpp"
+#include "core/json_text.hpp"
 
 namespace raytorus::viewer {
 
@@ -19,7 +20,7 @@ void EventLog::write(std::string_view name, std::initializer_list<Field> fields)
     for (const auto& [key, value] : fields) {
         std::visit([&line, name = std::string(key)](const auto& item) { line[name] = item; }, value);
     }
-    print("{}\n", line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    print("{}\n", dumpJson(line, -1));
     flushOutput();
 }
 

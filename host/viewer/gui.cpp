@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <span>
 
+#include "core/console.hpp"
 #include "gpu/result.hpp"
 
 namespace raytorus::viewer {
@@ -61,6 +62,11 @@ void setStyle(float scale) {
 }
 
 }  // namespace
+
+void drawWords(std::string_view text) {
+    const std::string words = printable(text);
+    ImGui::TextUnformatted(words.data(), words.data() + words.size());
+}
 
 ImFont* monospacedFont() {
     return ImGui::GetIO().Fonts->Fonts.back();

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <deque>
+#include <string_view>
 
 #include "gpu/context.hpp"
 #include "viewer/swapchain.hpp"
@@ -17,6 +18,9 @@ namespace raytorus::viewer {
 
 /// For text in columns. Between Gui::begin() and Gui::end().
 ImFont* monospacedFont();
+
+/// Words from elsewhere: files, compilers, drivers. They are printable, and no format.
+void drawWords(std::string_view text);
 
 class Gui {
 public:

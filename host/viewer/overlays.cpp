@@ -73,7 +73,7 @@ void drawPick(State& state) {
         ImGui::Separator();
         ImGui::BeginChild("explanation", {0.0F, 0.0F}, false, ImGuiWindowFlags_HorizontalScrollbar);
         ImGui::PushFont(monospacedFont());
-        ImGui::TextUnformatted(state.pick->text.c_str());
+        drawWords(state.pick->text);
         ImGui::PopFont();
         ImGui::EndChild();
     }
@@ -133,7 +133,7 @@ void drawError(const State& state) {
         ImGui::TextUnformatted("The edited shaders do not compile; the last good picture stays.");
         ImGui::PushFont(monospacedFont());
         ImGui::PushTextWrapPos(size.x - 32.0F);
-        ImGui::TextUnformatted(state.shaderError.c_str());
+        drawWords(state.shaderError);
         ImGui::PopTextWrapPos();
         ImGui::PopFont();
     }
@@ -146,7 +146,7 @@ void drawMessage(const State& state) {
     ImGui::SetNextWindowPos({0.5F * size.x, size.y - 8.0F}, ImGuiCond_Always, {0.5F, 1.0F});
     if (ImGui::Begin("Message", nullptr, bare)) {
         ImGui::PushTextWrapPos(std::max(200.0F, size.x - 64.0F));
-        ImGui::TextUnformatted(state.message.text.c_str());
+        drawWords(state.message.text);
         ImGui::PopTextWrapPos();
     }
     ImGui::End();

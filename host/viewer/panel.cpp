@@ -7,6 +7,7 @@
 
 #include <utility>
 
+#include "viewer/gui.hpp"
 #include "viewer/legend.hpp"
 
 namespace raytorus::viewer {
@@ -102,13 +103,13 @@ void showStatistics(const State& state, const PanelInfo& info) {
         ImGui::Text("%.1f million camera rays a second", 1e-6 * rays / shown.drawSeconds);
     }
     ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(info.device.c_str());
+    drawWords(info.device);
     if (needsAnalysis(state.view) && state.view != View::Golden) {
         ImGui::Text("reference: %.0f %% of the pixels, %lld wrong, largest difference %.3g roundings",
                     100.0 * shown.analysed, shown.wrongPixels, shown.largestError);
     }
     if (state.view == View::Golden && !state.goldenSentence.empty()) {
-        ImGui::Text("%s", state.goldenSentence.c_str());
+        drawWords(state.goldenSentence);
     }
     ImGui::PopTextWrapPos();
 }

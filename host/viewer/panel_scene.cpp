@@ -8,6 +8,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "core/console.hpp"
 #include "viewer/panel.hpp"
 
 namespace raytorus::viewer {
@@ -58,6 +59,15 @@ void editRotation(render::TorusInstance& torus) {
     }
 }
 
+// That prints a name and no number, whatever the name holds.
+std::string formatOf(const std::string& name) {
+    std::string format;
+    for (const char c : printable(name)) {
+        format += c == '%' ? std::string("%%") : std::string(1, c);
+    }
+    return format;
+}
+
 void editTorus(State& state) {
     render::Scene& scene = state.scene;
     int index = static_cast<int>(state.selectedTorus);
@@ -75,8 +85,9 @@ void editTorus(State& state) {
     dragSize("Scale", torus.scale, tiny);
     if (scene.materials.size() > 1) {
         int material = static_cast<int>(torus.materialIndex);
+        const std::string name = formatOf(scene.materials[torus.materialIndex].name);
         ImGui::SliderInt("Its material", &material, 0, static_cast<int>(scene.materials.size()) - 1,
-                         scene.materials[torus.materialIndex].name.c_str(), ImGuiSliderFlags_AlwaysClamp);
+                         name.c_str(), ImGuiSliderFlags_AlwaysClamp);
         torus.materialIndex = static_cast<std::size_t>(material);
     }
 }

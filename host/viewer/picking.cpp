@@ -30,7 +30,7 @@ std::string testCaseOf(const explain::PixelRay& found, const explain::Explanatio
 }  // namespace
 
 Pick pickPixel(gpu::Context& context, const render::Scene& scene, VkExtent2D extent, int x, int y,
-               const render::ShaderSource& shaders) {
+               const render::ShaderSource& shaders, const std::string& deviceWords) {
     const explain::PixelRay found =
         explain::pixelRay(scene, static_cast<int>(extent.width), static_cast<int>(extent.height), x, y);
     const explain::Explanation explanation = explain::explain(context, found.torus, found.ray, shaders);
@@ -39,8 +39,8 @@ Pick pickPixel(gpu::Context& context, const render::Scene& scene, VkExtent2D ext
     pick.y = y;
     pick.text = fmt::format("pixel ({}, {}) of {} x {}: {}\n\n{}", x, y, extent.width, extent.height,
                             found.sentence, explain::textOf(explanation));
-    pick.command =
-        fmt::format("raytorus explain --replay \"{}\"", reference::hexFloats(found.torus, found.ray));
+    pick.command = fmt::format("raytorus explain{} --replay \"{}\"", deviceWords,
+                               reference::hexFloats(found.torus, found.ray));
     pick.testCase = testCaseOf(found, explanation);
     return pick;
 }

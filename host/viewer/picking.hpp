@@ -8,8 +8,9 @@
 
 namespace raytorus::viewer {
 
-/// scene: as it is shown. extent: of the picture that x and y count in.
+/// scene: as it is shown. extent: of the picture that x and y count in. deviceWords: what the command has of
+/// the device.
 Pick pickPixel(gpu::Context& context, const render::Scene& scene, VkExtent2D extent, int x, int y,
-               const render::ShaderSource& shaders);
+               const render::ShaderSource& shaders, const std::string& deviceWords);
 
 }  // namespace raytorus::viewer

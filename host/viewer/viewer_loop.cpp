@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/file.hpp"
+#include "render/device_words.hpp"
 #include "render/scene_json.hpp"
 #include "viewer/capture.hpp"
 #include "viewer/commands.hpp"
@@ -235,7 +236,8 @@ void ViewerLoop::pick(std::pair<int, int> pixel) {
         throw Error(ExitCode::Usage, fmt::format("pixel ({}, {}) is outside the picture of {} x {}", x, y,
                                                  extent.width, extent.height));
     }
-    state.pick = pickPixel(context, pictures.scene(), extent, x, y, methods[0].shaders);
+    state.pick = pickPixel(context, pictures.scene(), extent, x, y, methods[0].shaders,
+                           render::deviceWords(options.device.context, ""));
     log.write("picked", {{"x", static_cast<long long>(x)},
                          {"y", static_cast<long long>(y)},
                          {"command", state.pick->command},

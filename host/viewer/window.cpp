@@ -136,7 +136,7 @@ struct Window::Callbacks {
 Window::Window(const std::string& title, int width, int height) {
     start();
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
-    window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+    window = glfwCreateWindow(width, height, printable(title).c_str(), nullptr, nullptr);
     if (window == nullptr) {
         const std::string reason = lastGlfwError();
         glfwTerminate();

@@ -6,12 +6,15 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
+#include <cstdint>
 #include <functional>
 #include <future>
+#include <limits>
 #include <optional>
 
+#include "cli/number_checks.hpp"
 #include "cli/program.hpp"
+#include "core/console.hpp"
 #include "core/file.hpp"
 #include "mutate/mutation_run.hpp"
 
@@ -48,12 +51,14 @@ std::optional<Options> parseOptions(const std::vector<std::string>& arguments) {
         ->delimiter(',')
         ->option_text("NAME,...");
     app.add_option("--jobs", options.run.jobs, "Mutations at a time")
-        ->check(CLI::Range(1U, 256U))
+        ->check(cli::wholeNumber(1, 256))
         ->option_text("N [processors]");
     app.add_option("--rays", options.run.rays.perCell, "Rays a cell of the verifier")
-        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 20U))
+        ->check(cli::wholeNumber(1, std::uint64_t{1} << 20U))
         ->option_text("N [500]");
-    app.add_option("--seed", options.run.rays.seed, "Of those rays")->option_text("N [1]");
+    app.add_option("--seed", options.run.rays.seed, "Of those rays")
+        ->check(cli::wholeNumber(0, std::numeric_limits<std::uint64_t>::max()))
+        ->option_text("N [1]");
     app.add_option("--json", options.json, "Everything into a file")->option_text("FILE");
     app.add_option("--markdown", options.markdown, "The table into a file, for the documentation")
         ->option_text("FILE");
@@ -85,7 +90,7 @@ std::vector<Mutation> chosenMutations(const std::vector<std::string>& names) {
 
 void list(const std::vector<Mutation>& mutations) {
     for (const Mutation& mutation : mutations) {
-        fmt::print("{:<32}{:<24}{}\n", mutation.name, mutation.file, mutation.mistake);
+        print("{:<32}{:<24}{}\n", mutation.name, mutation.file, mutation.mistake);
     }
 }
 
@@ -103,24 +108,23 @@ ExitCode runAll(Options options, const std::vector<Mutation>& mutations) {
     if (options.names.empty()) {
         unchanged = std::async(std::launch::async, requireUnchangedPasses, std::ref(goldens), options.run);
     }
-    fmt::print("{}", headText());
+    print("{}", headText());
     options.run.report = [&](const Outcome& outcome) {
-        fmt::print("{}", rowText(outcome));
-        std::fflush(stdout);
+        print("{}", rowText(outcome));
+        flushOutput();
     };
     const std::vector<Outcome> outcomes = runMutations(mutations, goldens, options.run);
     if (unchanged.valid()) {
         unchanged.get();
-        fmt::print("the unchanged shaders pass everything\n");
+        print("the unchanged shaders pass everything\n");
     }
     const Totals totals = totalsOf(outcomes);
-    fmt::print("{}\n", totalsText(totals));
-    fmt::print("in {:.0f} s\n",
-               std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    print("{}\n", totalsText(totals));
+    print("in {:.0f} s\n", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     writeText(options.json, outcomesJson(outcomes));
     writeText(options.markdown, outcomesMarkdown(outcomes));
     const bool held = totals.barHeld();
-    fmt::print("{}\n", held ? "the bar is held" : "the bar is missed");
+    print("{}\n", held ? "the bar is held" : "the bar is missed");
     return held ? ExitCode::Ok : ExitCode::ComparisonFailed;
 }
 
@@ -133,7 +137,7 @@ ExitCode run(Options options) {
     options.run.folder = fs::temp_directory_path() / fmt::format("raytorus-mutate-{}", getpid());
     const ExitCode code = runAll(options, mutations);
     if (options.keep) {
-        fmt::print("the changed shaders are in {}\n", options.run.folder.string());
+        print("the changed shaders are in {}\n", options.run.folder.string());
     } else {
         fs::remove_all(options.run.folder);
     }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/json_text.hpp"
+
 namespace raytorus::mutate {
 namespace {
 
@@ -108,7 +110,7 @@ std::string outcomesJson(std::span<const Outcome> outcomes) {
                                            {"caughtByGoldens", totals.caughtByGoldens},
                                            {"caughtByBits", totals.caughtByBits}}},
                                          {"barHeld", totals.barHeld()}};
-    return json.dump(2) + "\n";
+    return dumpJson(json) + "\n";
 }
 
 }  // namespace raytorus::mutate

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace raytorus::render {
+namespace raytorus {
 
 /// Keys keep the order of the file.
 using Json = nlohmann::ordered_json;
@@ -25,4 +25,4 @@ std::string describe(const Json& value);
 /// Throws as failAt.
 Json parseStrictJson(std::string_view text, std::string_view sourceName);
 
-}  // namespace raytorus::render
+}  // namespace raytorus

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The handler of nlohmann's SAX parser that builds the tree. The tree's depth is bounded here, because the
 // library destroys and prints values recursively.
-#include "render/strict_json.hpp"
+#include "core/strict_json.hpp"
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@
 
 #include "core/error.hpp"
 
-namespace raytorus::render {
+namespace raytorus {
 namespace {
 
 /// Scenes need 5. Deeper than that can only be an error, deeper than this could hurt.
@@ -203,4 +203,4 @@ Json parseStrictJson(std::string_view text, std::string_view sourceName) {
     return builder.take();
 }
 
-}  // namespace raytorus::render
+}  // namespace raytorus
