@@ -180,7 +180,7 @@ const Bad badInput[] = {
     {"Huge",
      {1e18F, 1e18F},
      {{3, 0, 0}, 0, {-1, 0, 0}, infinity},
-     "R + r = 2e+18 is not between 1e-18 and 1e18"},
+     "R + r = 2e+18 is not from 1e-18 to 1e+18"},
     {"Slow",
      ring,
      {{3, 0, 0}, 0, {-1e-20F, 0, 0}, infinity},

@@ -2,9 +2,10 @@
 // System calls that fail as a disk does, for a program that is started with this library in LD_PRELOAD. Of
 // the files whose names end in FAIL_NAME:
 //
-//     FAIL_READ=N     read() gives EIO from byte N on
-//     FAIL_CLOSE=1    close() gives ENOSPC, once the file is closed
-//     FAIL_RENAME=1   rename() to them gives EROFS
+//     FAIL_READ=N       read() gives EIO from byte N on
+//     FAIL_CLOSE=1      close() gives ENOSPC, once the file is closed
+//     FAIL_RENAME=1     rename() to them gives EROFS
+//     FAIL_RENAME=kill  it ends the program, as if by somebody else
 //
 // FAIL_THREADS=1: there are no more threads.
 #include <dlfcn.h>
@@ -16,6 +17,7 @@
 #include <array>
 #include <cerrno>
 #include <climits>
+#include <csignal>
 #include <cstdlib>
 #include <string>
 #include <string_view>
@@ -74,7 +76,11 @@ extern "C" int close(int file) {
 }
 
 extern "C" int rename(const char* from, const char* to) noexcept {
-    if (std::getenv("FAIL_RENAME") != nullptr && isNamed(std::string_view(to))) {
+    const char* const fails = std::getenv("FAIL_RENAME");
+    if (fails != nullptr && isNamed(std::string_view(to))) {
+        if (fails == std::string_view("kill")) {
+            kill(getpid(), SIGKILL);
+        }
         errno = EROFS;
         return -1;
     }

@@ -149,7 +149,7 @@ TEST_F(ProgramExplain, BadTextIsRefused) {
     refuse({"explain", "--torus", "1,2", "--origin", "1,0,0", "--direction", "1,0,0,0"},
            {"--direction", "\"1,0,0,0\""});
     refuse(explain({"--t-max", "far"}), {"--t-max takes a number, not \"far\""});
-    refuse(explain({"--t-min", ""}), {"--t-min takes a number, not \"\""});
+    refuse(explain({"--t-min", ""}), {"--t-min is given, and is empty"});
     refuse({"explain", "--replay", "1 2 3"}, {"--replay takes ten numbers", "\"1 2 3\""});
     refuse(explain({"--replay", "1 .25 -3 0 0 0 1 0 0 inf"}), {"--replay", "--torus"});
     refuse(explain({"more"}), {"\"more\" is one argument too many"});

@@ -8,8 +8,9 @@ raytorus_add_tests(reliability_tests
         output_file_test.cpp
         reliability_table_test.cpp
         reliability_test.cpp
+        reliability_words_test.cpp
         run_program.cpp
-    LIBRARIES raytorus::cli)
+    LIBRARIES raytorus::cli nlohmann_json::nlohmann_json)
 add_dependencies(reliability_tests raytorus raytorus-verify raytorus-bench raytorus-view raytorus_failing_calls)
 # System calls that fail, loaded before a program.
 add_library(raytorus_failing_calls MODULE failing_calls.cpp)

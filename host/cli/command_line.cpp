@@ -36,27 +36,16 @@ Exit codes:
 
 // What CLI11 says, but for what it says too little of: it finds a positional argument missing before it finds
 // that what stands in its place is an option, or a command, which does not exist.
-std::string usageProblem(const CLI::App& app, const CLI::ParseError& error) {
+std::string usageProblem(const CLI::App& app, const CLI::ParseError& error,
+                         const std::vector<std::string>& arguments) {
     const auto type = static_cast<CLI::ExitCodes>(error.get_exit_code());
     const bool incomplete = type == CLI::ExitCodes::RequiredError || type == CLI::ExitCodes::ExtrasError;
-    const bool hasCommand = !app.get_subcommands().empty();
-    const std::vector<std::string> unknown = app.remaining(true);
-    if (incomplete && !unknown.empty()) {
-        const std::string& first = unknown.front();
-        if (first.starts_with('-')) {
-            return unknownOption(hasCommand ? *app.get_subcommands().back() : app, first);
-        }
-        std::vector<std::string> commands;
-        for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-            commands.push_back(command->get_name());
-        }
-        return hasCommand
-                   ? fmt::format("\"{}\" is one argument too many", excerpt(first))
-                   : fmt::format("there is no command \"{}\"{}", excerpt(first), suggestion(first, commands));
+    const std::string unknown = incomplete ? unexpected(app, arguments) : "";
+    if (!unknown.empty() && arguments.front() != "--") {
+        return unknown;
     }
-    return incomplete && !hasCommand
-               ? "a command is missing: render, trace, compare, explain, golden or doctor"
-               : error.what();
+    const std::string missing = incomplete ? missingCommand(app) : "";
+    return missing.empty() ? error.what() : missing;
 }
 
 // The command whose --help tells more.
@@ -65,7 +54,7 @@ std::string helpOf(const CLI::App& app) {
     return fmt::format("raytorus {}--help", commands.empty() ? "" : commands.front()->get_name() + " ");
 }
 
-ExitCode parseAndRun(std::vector<std::string> arguments) {
+ExitCode parseAndRun(const std::vector<std::string>& arguments) {
     CLI::App app("Exact ray-torus intersection: render scenes, trace rays, compare pictures, explain a ray.",
                  "raytorus");
     app.set_version_flag("--version", fmt::format("raytorus {}", version()));
@@ -78,15 +67,17 @@ ExitCode parseAndRun(std::vector<std::string> arguments) {
     addExplainCommand(app, action);
     addGoldenCommand(app, action);
     addDoctorCommand(app, action);
-    std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
     try {
-        app.parse(std::move(arguments));
-    } catch (const CLI::Success& success) {  // --help, --version
+        app.parse(std::vector<std::string>(arguments.rbegin(),
+                                           arguments.rend()));  // CLI11 takes them from the back
+    } catch (const CLI::Success& success) {                     // --help, --version
         app.exit(success);
         return ExitCode::Ok;
     } catch (const CLI::ParseError& error) {
-        throw Error(ExitCode::Usage, fmt::format("{} (see {})", usageProblem(app, error), helpOf(app)));
+        throw Error(ExitCode::Usage,
+                    fmt::format("{} (see {})", usageProblem(app, error, arguments), helpOf(app)));
     }
+    refuseEmptyWords(app);
     return action();
 }
 

@@ -79,6 +79,7 @@ reference::TorusAndRay torusAndRay(const ExplainCommand& command, std::string& s
         }
     }
     const auto [R, r] = numbersOf<2>("--torus", "the major and the minor radius as R,r", command.torus);
+    requireTorusInRange("--torus", {R, r}, command.torus);
     const auto origin = numbersOf<3>("--origin", "a point as x,y,z", command.origin);
     const auto direction = numbersOf<3>("--direction", "a vector as x,y,z", command.direction);
     reference::TorusAndRay result{{R, r}, {}};

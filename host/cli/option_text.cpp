@@ -3,11 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <system_error>
 
 #include "cli/number_text.hpp"
+#include "core/console.hpp"
 #include "core/error.hpp"
+#include "core/torus_range.hpp"
 #include "render/scene.hpp"
 
 namespace raytorus::cli {
@@ -47,6 +50,14 @@ int samplesOption(const std::string& text, int mostPerSide) {
     return *side;
 }
 
+void requireTorusInRange(const char* option, const reference::Torus& torus, const std::string& text) {
+    const auto [R, r] = torus;
+    if (R >= 0.0F && r > 0.0F && std::isfinite(R) && std::isfinite(r) && !isTorusInRange(R, r)) {
+        throw Error(ExitCode::Usage, fmt::format("{} needs R + r from {:g} to {:g}, not \"{}\"", option,
+                                                 smallestTorus, largestTorus, excerpt(text)));
+    }
+}
+
 reference::TorusAndRay replayOption(const std::string& text) {
     const auto replay = reference::parseHexFloats(text);
     if (!replay) {
@@ -54,6 +65,7 @@ reference::TorusAndRay replayOption(const std::string& text) {
             ExitCode::Usage,
             fmt::format("--replay takes ten numbers: R r, origin, tMin, direction, tMax; not \"{}\"", text));
     }
+    requireTorusInRange("--replay", replay->torus, text);
     return *replay;
 }
 

@@ -22,6 +22,10 @@ render::Route routeOption(const std::string& text);
 /// --spp: a square number of samples, up to mostPerSide squared. Returns its root.
 int samplesOption(const std::string& text, int mostPerSide);
 
+/// Throws Error{Usage} for a torus beyond what the library answers for. One that is none has to be told apart
+/// before.
+void requireTorusInRange(const char* option, const reference::Torus& torus, const std::string& text);
+
 /// --replay: ten numbers, as raytorus-verify prints them.
 reference::TorusAndRay replayOption(const std::string& text);
 

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -85,6 +86,9 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
     return best.empty() ? "" : fmt::format("; did you mean {}?", best);
 }
 
+namespace {
+
+// "there is no option --sise; did you mean --size?"
 std::string unknownOption(const CLI::App& app, const std::string& word) {
     const std::string name = word.substr(0, word.find('='));
     std::vector<std::string> known;
@@ -93,7 +97,61 @@ std::string unknownOption(const CLI::App& app, const std::string& word) {
             known.push_back("--" + longName);
         }
     }
+    if (std::ranges::find(known, name) != known.end()) {
+        return fmt::format("{} stands behind the command {}", name, app.get_name());
+    }
     return fmt::format("there is no option {}{}", excerpt(name), suggestion(name, known));
+}
+
+const CLI::App& chosenCommand(const CLI::App& app) {
+    const std::vector<CLI::App*> chosen = app.get_subcommands();
+    return chosen.empty() ? app : chosenCommand(*chosen.back());
+}
+
+std::vector<std::string> commandsOf(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        names.push_back(command->get_name());
+    }
+    return names;
+}
+
+}  // namespace
+
+std::string missingCommand(const CLI::App& app) {
+    const std::vector<std::string> names = commandsOf(chosenCommand(app));
+    return names.empty() ? "" : fmt::format("a command is missing: {}", fmt::join(names, ", "));
+}
+
+std::string unexpected(const CLI::App& app, const std::vector<std::string>& arguments) {
+    std::vector<std::string> unknown = app.remaining(true);
+    std::erase(unknown, "--");
+    if (unknown.empty()) {
+        return "";
+    }
+    const CLI::App& command = chosenCommand(app);
+    const std::string& first = unknown.front();
+    const auto end = std::ranges::find(arguments, "--");
+    const bool isName = std::find(arguments.begin(), end, first) == end;
+    if (!isName && first.starts_with('-')) {
+        return unknownOption(command, first);
+    }
+    const std::vector<std::string> commands = commandsOf(command);
+    if (!isName && !commands.empty()) {
+        return fmt::format("there is no command \"{}\"{}", excerpt(first), suggestion(first, commands));
+    }
+    return fmt::format("\"{}\" is one argument too many", excerpt(first));
+}
+
+void refuseEmptyWords(const CLI::App& app) {
+    for (const CLI::Option* option : app.get_options()) {
+        if (std::ranges::find(option->results(), "") != option->results().end()) {
+            throw Error(ExitCode::Usage, fmt::format("{} is given, and is empty", option->get_name()));
+        }
+    }
+    for (const CLI::App* command : app.get_subcommands()) {
+        refuseEmptyWords(*command);
+    }
 }
 
 bool parse(CLI::App& app, const std::vector<std::string>& arguments) {
@@ -104,12 +162,11 @@ bool parse(CLI::App& app, const std::vector<std::string>& arguments) {
         app.exit(success);
         return false;
     } catch (const CLI::ParseError& error) {
-        const std::vector<std::string> unknown = app.remaining();
-        const bool option = !unknown.empty() && unknown.front().starts_with('-');
-        throw Error(ExitCode::Usage,
-                    fmt::format("{} (see {} --help)",
-                                option ? unknownOption(app, unknown.front()) : error.what(), app.get_name()));
+        const std::string unknown = unexpected(app, arguments);
+        throw Error(ExitCode::Usage, fmt::format("{} (see {} --help)",
+                                                 unknown.empty() ? error.what() : unknown, app.get_name()));
     }
+    refuseEmptyWords(app);
     return true;
 }
 

@@ -19,8 +19,17 @@ ExitCode runProgram(std::string_view name, const std::function<ExitCode()>& work
 /// "; did you mean --size?" of the known word that is nearest to this one, or nothing if none is near.
 std::string suggestion(const std::string& word, const std::vector<std::string>& known);
 
-/// "there is no option --sise; did you mean --size?"
-std::string unknownOption(const CLI::App& app, const std::string& word);
+/// What the command line has and the program, or its command, knows nothing of: "there is no option --sise;
+/// did you mean --size?", a command, or one argument too many. Behind "--" there are names alone. Empty if
+/// there is no such thing.
+std::string unexpected(const CLI::App& app, const std::vector<std::string>& arguments);
+
+/// "a command is missing: list, check", where one must follow; else empty.
+std::string missingCommand(const CLI::App& app);
+
+/// Throws Error{Usage} where an option or an argument is given as an empty word: a variable of a script that
+/// is not set must not leave an output unwritten.
+void refuseEmptyWords(const CLI::App& app);
 
 /// Reads the command line of a program that has no commands. False where --help or --version has been
 /// answered and nothing is left to do. Throws Error{Usage}.

@@ -16,7 +16,6 @@
 #include "cli/ray_batches.hpp"
 #include "cli/ray_file.hpp"
 #include "core/console.hpp"
-#include "core/torus_range.hpp"
 #include "render/tracer.hpp"
 #include "verify/reference_tracer.hpp"
 
@@ -83,10 +82,7 @@ ExitCode runTrace(const TraceCommand& command) {
         throw Error(ExitCode::Usage,
                     fmt::format("--torus needs R >= 0 and r > 0, not \"{}\"", command.torus));
     }
-    if (!isTorusInRange(majorRadius, minorRadius)) {
-        throw Error(ExitCode::Usage, fmt::format("--torus needs R + r from {:g} to {:g}, not \"{}\"",
-                                                 smallestTorus, largestTorus, excerpt(command.torus)));
-    }
+    requireTorusInRange("--torus", {majorRadius, minorRadius}, command.torus);
     const render::Query query = command.all   ? render::Query::All
                                 : command.any ? render::Query::Any
                                               : render::Query::Nearest;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/torus_range.hpp"
 #include "explain/number_text.hpp"
 #include "reference/promise.hpp"
 
@@ -18,8 +19,8 @@ Quad lengthOf(const Vec3<Quad>& v) {
     return reference::squareRoot(reference::dot(v, v));
 }
 
-// The limits of the contract's sizes: of R + r and of a direction's length.
-constexpr double smallest = 1e-18, largest = 1e18;
+// The limits of the contract for a direction's length.
+constexpr double shortest = 1e-18, longest = 1e18;
 
 bool isFinite(const float (&v)[3]) {
     return std::all_of(std::begin(v), std::end(v), [](float x) { return std::isfinite(x); });
@@ -53,10 +54,10 @@ void addNumberFaults(const reference::Torus& torus, const reference::Ray& ray, N
 void addSizeFaults(const reference::Torus& torus, const reference::Ray& ray, Notes& faults) {
     const double size = double{torus.majorRadius} + double{torus.minorRadius};
     const double length = reference::toDouble(lengthOf(reference::toQuad(ray.direction)));
-    if (!(size >= smallest && size <= largest)) {
-        faults.push_back(fmt::format("R + r = {:.3g} is not between 1e-18 and 1e18", size));
+    if (!isTorusInRange(torus.majorRadius, torus.minorRadius)) {
+        faults.push_back(fmt::format("R + r = {:.3g} is not from {:g} to {:g}", size, smallestTorus, largestTorus));
     }
-    if (!(length >= smallest && length <= largest)) {
+    if (!(length >= shortest && length <= longest)) {
         faults.push_back(fmt::format("the direction is {:.3g} long, not 1e-18 to 1e18", length));
     }
 }

@@ -173,6 +173,9 @@ std::optional<ViewerOptions> parseOptions(const std::vector<std::string>& argume
         print("{}{}", texts.listViews ? viewTable() : "", texts.listKeys ? keyTable() : "");
         return std::nullopt;
     }
+    if (!options.device.shaderFolder.empty()) {
+        throw Error(ExitCode::Usage, "--shaders: the window compiles what it is given, by --edit DIR");
+    }
     if (options.scene.empty()) {
         throw Error(ExitCode::Usage,
                     "a scene is required: raytorus-view SCENE.json (see raytorus-view --help)");
