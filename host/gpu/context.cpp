@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "gpu/driver_files.hpp"
 #include "gpu/result.hpp"
 
 namespace raytorus::gpu {
@@ -25,6 +26,7 @@ VkApplicationInfo applicationInfo() {
 }
 
 VkInstance makeInstance(const VkInstanceCreateInfo& info) {
+    leaveOutDamagedDrivers();
     VkInstance instance = VK_NULL_HANDLE;
     const VkResult result = vkCreateInstance(&info, nullptr, &instance);
     if (result == VK_ERROR_INCOMPATIBLE_DRIVER) {
