@@ -240,15 +240,29 @@ TEST_F(CompareCommand, ThereIsNoDifferencePictureOfImagesOfOtherSize) {
 }
 
 TEST_F(CompareCommand, TheDifferencePictureNeverReplacesAnInput) {
-    const std::string before = test::fileText(expected);
-    const std::string sameByAnotherName = (folder / "." / "expected.exr").string();
-    expectError(
-        [&] {
-            run(with({"--difference", sameByAnotherName}));
-        },
-        ExitCode::Usage, {"overwrite", "expected.exr"});
-    expectError([&] { run(with({"--difference", actual})); }, ExitCode::Usage, {"overwrite", "actual.exr"});
-    EXPECT_EQ(test::fileText(expected), before);
+    const std::string one = (folder / "one.png").string();
+    const std::string other = (folder / "other.png").string();
+    image::writeImage(one, Image(2, 2, {"R", "G", "B"}));
+    image::writeImage(other, Image(2, 2, {"R", "G", "B"}));
+    const std::string before = test::fileText(one);
+    const std::string sameByAnotherName = (folder / "." / "one.png").string();
+    for (const std::string& path : {sameByAnotherName, other}) {
+        expectError(
+            [&] {
+                run({"compare", one, other, "--difference", path});
+            },
+            ExitCode::Usage, {"overwrite", std::filesystem::path(path).filename().string()});
+    }
+    EXPECT_EQ(test::fileText(one), before);
+    EXPECT_EQ(namesIn(folder),
+              (std::vector<std::string>{"actual.exr", "expected.exr", "one.png", "other.png"}));
+}
+
+// It is a picture for people, and was once written as EXR where the name said so.
+TEST_F(CompareCommand, TheDifferencePictureIsAPng) {
+    for (const char* name : {"d.exr", "d.jpg", "d", "png", ""}) {
+        EXPECT_THROW(run(with({"--difference", (folder / name).string()})), CLI::ParseError) << name;
+    }
     EXPECT_EQ(namesIn(folder), (std::vector<std::string>{"actual.exr", "expected.exr"}));
 }
 

@@ -112,17 +112,29 @@ void writeReport(const CompareOptions& options, const image::Image& expected, co
                              std::vector{image::reportCase(name, expected, actual, comparison)}, heading);
 }
 
-ExitCode runCompare(const CompareOptions& options) {
-    refuseToOverwriteInput(options);
-    requireListed(options);
-    const image::Image expected = image::readImage(options.expected);
-    const image::Image actual = image::readImage(options.actual);
-    const image::Comparison comparison = image::compare(expected, actual, options.rules);
+void printComparison(const CompareOptions& options, const image::Comparison& comparison) {
     if (options.json) {
         print("{}\n", image::jsonText(comparison));
     } else {
         print("{}{}\n", image::numbersTable(comparison), comparison.sentence);
     }
+}
+
+ExitCode runCompare(const CompareOptions& options) {
+    refuseToOverwriteInput(options);
+    requireListed(options);
+    const image::ImageFile expectedFile(options.expected);
+    const image::ImageFile actualFile(options.actual);
+    // Pictures that are not alike need not be decoded, and may be huge. A report shows them.
+    const auto unlike = image::compareShapes(expectedFile.header(), actualFile.header(), options.rules);
+    if (unlike && options.reportFolder.empty()) {
+        printComparison(options, *unlike);
+        return unlike->exitCode();
+    }
+    const image::Image expected = expectedFile.read();
+    const image::Image actual = actualFile.read();
+    const image::Comparison comparison = image::compare(expected, actual, options.rules);
+    printComparison(options, comparison);
     if (!options.differencePath.empty() && comparison.verdict != image::Verdict::SizeDiffers) {
         image::writeImage(options.differencePath, image::differenceImage(expected, actual, options.rules));
     }
@@ -196,7 +208,7 @@ void addCompareCommand(CLI::App& app, Action& action) {
         ->type_name("FILE.json");
     addOption("--difference", "FILE.png", "Write a picture of the differences here",
               [options = options.get()](const std::string& path) {
-                  if (!image::hasImageExtension(path)) {
+                  if (!image::hasImageExtension(path, image::Format::Png)) {
                       throw CLI::ValidationError(fmt::format(
                           "The name of the difference picture must end in .png, not \"{}\"", path));
                   }

@@ -65,20 +65,35 @@ std::vector<std::size_t> documentedOrder(std::span<const std::string> names) {
     return order;
 }
 
-Image arrangedImage(int width, int height, std::span<const std::string> names,
-                    std::span<const float> values) {
-    const std::vector<std::size_t> order = documentedOrder(names);
-    std::vector<std::string> arranged;
+ImageFill::ImageFill(int width, int height, std::span<const std::string> names, SampleType sampleType)
+    : order(documentedOrder(names)) {
+    image.width = width;
+    image.height = height;
+    image.sampleType = sampleType;
     for (const std::size_t channel : order) {
-        arranged.push_back(names[channel]);
+        image.channelNames.push_back(names[channel]);
     }
-    Image image(width, height, std::move(arranged));
+}
+
+void ImageFill::append(std::span<const float> values) {
+    // All at once: an image that grew would be copied again and again. What is not used takes no memory.
+    image.pixels.reserve(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) *
+                         order.size());
+    const std::size_t begin = image.pixels.size();
+    image.pixels.resize(begin + values.size());
     for (std::size_t first = 0; first < values.size(); first += order.size()) {
         for (std::size_t channel = 0; channel < order.size(); ++channel) {
-            image.pixels[first + channel] = values[first + order[channel]];
+            image.pixels[begin + first + channel] = values[first + order[channel]];
         }
     }
-    return image;
+}
+
+int rowsAtATime(int width, int height, std::size_t channels, int step) {
+    constexpr std::size_t valuesAtATime = std::size_t{1} << 22U;
+    const std::size_t rows = valuesAtATime / (static_cast<std::size_t>(width) * channels);
+    const std::size_t whole = std::max<std::size_t>(rows / static_cast<std::size_t>(step), 1);
+    return static_cast<int>(
+        std::min(whole * static_cast<std::size_t>(step), static_cast<std::size_t>(height)));
 }
 
 }  // namespace raytorus::image

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "image/image_codec.hpp"
@@ -25,8 +26,25 @@ void checkSignature(std::span<const std::byte> bytes, Format format, std::string
 /// R, G, B, A first, then by name: the places of a file's channels, whose order is its own.
 [[nodiscard]] std::vector<std::size_t> documentedOrder(std::span<const std::string> names);
 
-/// The image of values that are interleaved in the file's order of channels.
-[[nodiscard]] Image arrangedImage(int width, int height, std::span<const std::string> names,
-                                  std::span<const float> values);
+/// An image that is filled from its first pixel to its last. Memory is taken as pixels come, so that a header
+/// alone takes none.
+class ImageFill {
+public:
+    /// As a file's header says: the channels in the file's order. The shape has no problem (image.hpp).
+    ImageFill(int width, int height, std::span<const std::string> names, SampleType sampleType);
+
+    /// Whole pixels, interleaved in the file's order of channels.
+    void append(std::span<const float> values);
+
+    /// What there is of it, at the end.
+    [[nodiscard]] Image take() { return std::move(image); }
+
+private:
+    Image image;
+    std::vector<std::size_t> order;
+};
+
+/// The rows that are decoded at a time: a multiple of `step`, all if there are fewer.
+[[nodiscard]] int rowsAtATime(int width, int height, std::size_t channels, int step);
 
 }  // namespace raytorus::image

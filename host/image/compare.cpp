@@ -217,23 +217,34 @@ ExitCode Comparison::exitCode() const {
     return ExitCode::Internal;
 }
 
+std::optional<Comparison> compareShapes(const Image& expected, const Image& actual,
+                                        const CompareRules& rules) {
+    if (!channelJudges(expected, actual, rules).empty()) {
+        return std::nullopt;
+    }
+    Comparison result;
+    result.rules = rules;
+    result.verdict = Verdict::SizeDiffers;
+    result.sentence = verdictSentence(result, expected, actual);
+    return result;
+}
+
 Comparison compare(const Image& expected, const Image& actual, const CompareRules& rules) {
+    if (std::optional<Comparison> shapes = compareShapes(expected, actual, rules)) {
+        return *std::move(shapes);
+    }
     Comparison result;
     result.rules = rules;
     const std::vector<ChannelJudge> judges = channelJudges(expected, actual, rules);
-    if (judges.empty()) {
-        result.verdict = Verdict::SizeDiffers;
+    result.againstTruth = judges.size() < expected.channelNames.size();
+    checkRules(rules, actual.channelNames, result.againstTruth);
+    result.expectedNonFinite = findNonFinite(expected);
+    result.actualNonFinite = findNonFinite(actual);
+    if (result.expectedNonFinite.count + result.actualNonFinite.count > 0) {
+        result.verdict = Verdict::NonFinite;
     } else {
-        result.againstTruth = judges.size() < expected.channelNames.size();
-        checkRules(rules, actual.channelNames, result.againstTruth);
-        result.expectedNonFinite = findNonFinite(expected);
-        result.actualNonFinite = findNonFinite(actual);
-        if (result.expectedNonFinite.count + result.actualNonFinite.count > 0) {
-            result.verdict = Verdict::NonFinite;
-        } else {
-            compareValues(result, expected, actual, judges);
-            result.verdict = verdictOf(result);
-        }
+        compareValues(result, expected, actual, judges);
+        result.verdict = verdictOf(result);
     }
     result.sentence = verdictSentence(result, expected, actual);
     return result;

@@ -90,6 +90,10 @@ struct Comparison {
     [[nodiscard]] ExitCode exitCode() const;
 };
 
+/// The verdict where it needs no pixels, and the images may have none: SizeDiffers, or nothing.
+[[nodiscard]] std::optional<Comparison> compareShapes(const Image& expected, const Image& actual,
+                                                      const CompareRules& rules);
+
 /// Compares channel by channel, by name: the order of channels does not matter. An expected image that is a
 /// truth (image/channel_judge.hpp) is one: no pixel that it is sure of may break its exact promises, however
 /// many are allowed; and where it leaves the verdict open, a difference is a flip, counted apart. Throws

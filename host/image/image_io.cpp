@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/file.hpp"
@@ -47,12 +48,25 @@ Image readImage(const std::filesystem::path& path) {
     return decode(bytes, formatOf(path), path.string());
 }
 
+ImageFile::ImageFile(std::filesystem::path path)
+    : file(std::move(path)),
+      bytes(readFile(file)),
+      head(decodeHeader(bytes, formatOf(file), file.string())) {}
+
+Image ImageFile::read() const {
+    return decode(bytes, formatOf(file), file.string());
+}
+
 void writeImage(const std::filesystem::path& path, const Image& image) {
     writeFile(path, encode(image, formatOf(path), path.string()));
 }
 
 bool hasImageExtension(const std::filesystem::path& path) {
     return knownFormat(path).has_value();
+}
+
+bool hasImageExtension(const std::filesystem::path& path, Format format) {
+    return knownFormat(path) == format;
 }
 
 }  // namespace raytorus::image

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// OpenEXR both ways by its own library, and PNG from a file by libpng: for where OpenImageIO, which is far
-// larger than all else, is not. A module of its own, see CMakeLists.txt.
+// OpenEXR both ways by its own library: for where OpenImageIO, which is far larger than all else, is not. A
+// module of its own, see CMakeLists.txt.
 #include <Iex.h>
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -20,7 +20,6 @@
 
 #include "image/codec_checks.hpp"
 #include "image/codec_module.hpp"
-#include "image/png_decode.hpp"
 
 namespace raytorus::image {
 
@@ -98,6 +97,7 @@ struct Shape {
     int width = 0, height = 0;
     std::vector<std::string> names;
     SampleType sampleType = SampleType::Float32;
+    int step = 1;  // rows of a tile
 };
 
 int asInt(std::int64_t side) {
@@ -128,6 +128,7 @@ Shape shapeOf(const Imf::Header& header, std::string_view name) {
         if (!shapeProblem(asInt(tile.xSize), asInt(tile.ySize), shape.names).empty()) {
             failReading(name, fmt::format("its tiles of {} x {} are none", tile.xSize, tile.ySize));
         }
+        shape.step = asInt(tile.ySize);
     }
     if (header.dataWindow() != header.displayWindow()) {
         failReading(name, "its data window is not its display window");
@@ -168,7 +169,8 @@ Shape readShape(std::span<const std::byte> bytes, std::string_view name) {
     return shapeOf(header, name);
 }
 
-// Interleaved values of these channels. Only written to when a file is read into it.
+// Interleaved values of these channels, from the window's first row. Only written to when a file is read into
+// it.
 Imf::FrameBuffer frameBuffer(const float* values, const Imath::Box2i& window, int width,
                              std::span<const std::string> names) {
     const std::size_t pixel = names.size() * sizeof(float);
@@ -180,23 +182,32 @@ Imf::FrameBuffer frameBuffer(const float* values, const Imath::Box2i& window, in
     return frame;
 }
 
+Image decodeHeader(std::span<const std::byte> bytes, std::string_view name) {
+    const Shape shape = readShape(bytes, name);
+    return ImageFill(shape.width, shape.height, shape.names, shape.sampleType).take();
+}
+
 Image decodeExr(std::span<const std::byte> bytes, std::string_view name) {
     const Shape shape = readShape(bytes, name);
-    std::vector<float> values(static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.height) *
+    ImageFill fill(shape.width, shape.height, shape.names, shape.sampleType);
+    const int rows = rowsAtATime(shape.width, shape.height, shape.names.size(), shape.step);
+    std::vector<float> values(static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(rows) *
                               shape.names.size());
     reading(name, [&] {
         Input input(bytes);
         Imf::InputFile file(input, 0);
-        file.setFrameBuffer(frameBuffer(values.data(), shape.window, shape.width, shape.names));
-        file.readPixels(shape.window.min.y, shape.window.max.y);
+        for (int row = 0; row < shape.height; row += rows) {
+            Imath::Box2i band = shape.window;
+            band.min.y += row;
+            band.max.y = std::min(band.min.y + rows - 1, shape.window.max.y);
+            file.setFrameBuffer(frameBuffer(values.data(), band, shape.width, shape.names));
+            file.readPixels(band.min.y, band.max.y);
+            const auto count = static_cast<std::size_t>(band.max.y - band.min.y + 1);
+            fill.append(
+                std::span(values).first(count * static_cast<std::size_t>(shape.width) * shape.names.size()));
+        }
     });
-    Image image = arrangedImage(shape.width, shape.height, shape.names, values);
-    image.sampleType = shape.sampleType;
-    return image;
-}
-
-Image decodeImage(std::span<const std::byte> bytes, Format format, std::string_view name) {
-    return format == Format::Exr ? decodeExr(bytes, name) : decodePng(bytes, name);
+    return fill.take();
 }
 
 std::vector<std::byte> encodeExr(const Image& image, std::string_view name) {
@@ -218,7 +229,7 @@ std::vector<std::byte> encodeExr(const Image& image, std::string_view name) {
     return std::move(output.bytes);
 }
 
-constexpr Codec codec = {encodeExr, decodeImage};
+constexpr Codec codec = {encodeExr, decodeHeader, decodeExr};
 
 }  // namespace
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// OpenEXR both ways, and PNG from a file, by way of OpenImageIO. A module of its own, see CMakeLists.txt.
+// OpenEXR both ways, by way of OpenImageIO. A module of its own, see CMakeLists.txt.
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <tuple>
@@ -14,15 +13,12 @@
 #include "core/error.hpp"
 #include "image/codec_checks.hpp"
 #include "image/codec_module.hpp"
-#include "image/png_chunks.hpp"
 
 namespace raytorus::image {
 
 namespace {
 
-const char* pluginName(Format format) {
-    return format == Format::Exr ? "openexr" : "png";
-}
+constexpr const char* pluginName = "openexr";
 
 std::vector<std::byte> encodeExr(const Image& image, std::string_view name) {
     OIIO::ImageSpec spec(image.width, image.height, image.channelCount(), OIIO::TypeDesc::FLOAT);
@@ -33,7 +29,7 @@ std::vector<std::byte> encodeExr(const Image& image, std::string_view name) {
     OIIO::Filesystem::IOVecOutput memory(bytes);
     OIIO::Filesystem::IOProxy* const proxy = &memory;
     spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
-    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(pluginName(Format::Exr));
+    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(pluginName);
     if (!output) {
         failWriting(name, oneLine(OIIO::geterror()));
     }
@@ -45,7 +41,7 @@ std::vector<std::byte> encodeExr(const Image& image, std::string_view name) {
     return {stored.begin(), stored.end()};
 }
 
-void checkSpec(const OIIO::ImageSpec& spec, Format format, std::string_view name) {
+void checkSpec(const OIIO::ImageSpec& spec, std::string_view name) {
     if (const std::string problem = shapeProblem(spec.width, spec.height, spec.channelnames);
         !problem.empty()) {
         failReading(name, problem);
@@ -57,7 +53,7 @@ void checkSpec(const OIIO::ImageSpec& spec, Format format, std::string_view name
         spec.height != spec.full_height) {
         failReading(name, "its data window is not its display window");
     }
-    for (int channel = 0; format == Format::Exr && channel < spec.nchannels; ++channel) {
+    for (int channel = 0; channel < spec.nchannels; ++channel) {
         if (!spec.channelformat(channel).is_floating_point()) {
             failReading(name,
                         fmt::format("its channel {} holds integers, not floats", spec.channel_name(channel)));
@@ -65,10 +61,7 @@ void checkSpec(const OIIO::ImageSpec& spec, Format format, std::string_view name
     }
 }
 
-SampleType sampleTypeOf(const OIIO::ImageSpec& spec, Format format) {
-    if (format == Format::Png) {
-        return spec.format == OIIO::TypeDesc::UINT16 ? SampleType::Unsigned16 : SampleType::Unsigned8;
-    }
+SampleType sampleTypeOf(const OIIO::ImageSpec& spec) {
     for (int channel = 0; channel < spec.nchannels; ++channel) {
         if (spec.channelformat(channel) == OIIO::TypeDesc::HALF) {
             return SampleType::Float16;
@@ -77,66 +70,87 @@ SampleType sampleTypeOf(const OIIO::ImageSpec& spec, Format format) {
     return SampleType::Float32;
 }
 
-// The values as stored, in the file's order of channels, as floats.
-template <typename Stored>
-std::vector<float> readValues(OIIO::ImageInput& input, OIIO::TypeDesc type, float one,
-                              std::string_view name) {
-    const OIIO::ImageSpec spec = input.spec();
-    std::vector<Stored> stored(static_cast<std::size_t>(spec.image_pixels()) *
-                               static_cast<std::size_t>(spec.nchannels));
-    if (!input.read_image(0, 0, 0, spec.nchannels, type, stored.data())) {
-        failReading(name, fmt::format("it is truncated or corrupt ({})", oneLine(input.geterror())));
+// An open file, of which the header has been read.
+class Input {
+public:
+    Input(std::span<const std::byte> bytes, std::string_view fileName)
+        : name(fileName), memory(const_cast<std::byte*>(bytes.data()), bytes.size()), proxy(&memory) {
+        checkSignature(bytes, Format::Exr, name);
+        OIIO::ImageSpec config;
+        config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+        input = OIIO::ImageInput::create(pluginName);
+        if (!input) {
+            failReading(name, oneLine(OIIO::geterror()));
+        }
+        if (!input->open(std::string(name), spec, config)) {
+            fail();
+        }
+        checkSpec(spec, name);
     }
-    if constexpr (std::is_same_v<Stored, float>) {
-        return stored;
-    } else {
-        std::vector<float> values(stored.size());
-        std::ranges::transform(stored, values.begin(),
-                               [one](Stored value) { return static_cast<float>(value) / one; });
-        return values;
-    }
-}
 
-Image decodeImage(std::span<const std::byte> bytes, Format format, std::string_view name) {
-    checkSignature(bytes, format, name);
-    if (const std::string problem = format == Format::Png ? pngProblem(bytes) : std::string();
-        !problem.empty()) {
-        failReading(name, problem);
+    [[nodiscard]] ImageFill fill() const {
+        return {spec.width, spec.height, spec.channelnames, sampleTypeOf(spec)};
     }
-    OIIO::Filesystem::IOMemReader memory(const_cast<std::byte*>(bytes.data()), bytes.size());
-    OIIO::Filesystem::IOProxy* const proxy = &memory;
-    OIIO::ImageSpec config;
-    config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
-    config.attribute("oiio:UnassociatedAlpha", 1);  // values as stored: not multiplied by alpha
-    const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(pluginName(format));
-    if (!input) {
-        failReading(name, oneLine(OIIO::geterror()));
+
+    [[nodiscard]] Image image() {
+        ImageFill filled = fill();
+        const auto channels = static_cast<std::size_t>(spec.nchannels);
+        const bool tiled = spec.tile_width > 0;
+        const int rows = rowsAtATime(spec.width, spec.height, channels, tiled ? spec.tile_height : 1);
+        std::vector<float> values(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(rows) *
+                                  channels);
+        for (int row = 0; row < spec.height; row += rows) {
+            const int end = std::min(row + rows, spec.height);
+            const int y = spec.y;
+            const OIIO::TypeDesc type = OIIO::TypeDesc::FLOAT;
+            const bool whole =
+                tiled ? input->read_tiles(0, 0, spec.x, spec.x + spec.width, y + row, y + end, spec.z,
+                                          spec.z + 1, 0, spec.nchannels, type, values.data())
+                      : input->read_scanlines(0, 0, y + row, y + end, spec.z, 0, spec.nchannels, type,
+                                              values.data());
+            if (!whole) {
+                fail();
+            }
+            filled.append(std::span(values).first(static_cast<std::size_t>(end - row) *
+                                                  static_cast<std::size_t>(spec.width) * channels));
+        }
+        return filled.take();
     }
-    OIIO::ImageSpec spec;
-    if (!input->open(std::string(name), spec, config)) {
+
+    void requireOnePart() {
+        if (input->seek_subimage(1, 0)) {
+            failReading(name, "it has several parts, not one image");
+        }
+        std::ignore =
+            input->geterror();  // that there is no second part is no error; unread, OpenImageIO prints it
+    }
+
+private:
+    [[noreturn]] void fail() {
         failReading(name, fmt::format("it is truncated or corrupt ({})", oneLine(input->geterror())));
     }
-    checkSpec(spec, format, name);
-    std::vector<float> values;
-    if (format == Format::Exr) {
-        values = readValues<float>(*input, OIIO::TypeDesc::FLOAT, 1.0f, name);
-    } else if (spec.format == OIIO::TypeDesc::UINT16) {
-        values = readValues<std::uint16_t>(*input, OIIO::TypeDesc::UINT16, 65535.0f, name);
-    } else {
-        values = readValues<std::uint8_t>(*input, OIIO::TypeDesc::UINT8, 255.0f, name);
-    }
-    if (input->seek_subimage(1, 0)) {
-        failReading(name, "it has several parts, not one image");
-    }
-    std::ignore =
-        input->geterror();  // that there is no second part is no error; unread, OpenImageIO prints it
 
-    Image image = arrangedImage(spec.width, spec.height, spec.channelnames, values);
-    image.sampleType = sampleTypeOf(spec, format);
+    std::string_view name;
+    OIIO::Filesystem::IOMemReader memory;
+    OIIO::Filesystem::IOProxy* proxy;
+    std::unique_ptr<OIIO::ImageInput> input;
+    OIIO::ImageSpec spec;
+};
+
+Image decodeHeader(std::span<const std::byte> bytes, std::string_view name) {
+    Input input(bytes, name);
+    input.requireOnePart();
+    return input.fill().take();
+}
+
+Image decodeExr(std::span<const std::byte> bytes, std::string_view name) {
+    Input input(bytes, name);
+    Image image = input.image();
+    input.requireOnePart();
     return image;
 }
 
-constexpr Codec codec = {encodeExr, decodeImage};
+constexpr Codec codec = {encodeExr, decodeHeader, decodeExr};
 
 }  // namespace
 

@@ -11,6 +11,7 @@
 #include <csetjmp>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 
 #include "image/codec_checks.hpp"
 #include "image/png_chunks.hpp"
@@ -26,15 +27,18 @@ struct PngInput {
 
 // What is outside of setjmp's reach.
 struct Stored {
-    png_uint_32 width = 0, height = 0;
+    int width = 0, height = 0;
     int depth = 8;  // bits of a value, 8 or 16
     std::size_t channels = 0;
-    std::string shapeProblem;
-    std::vector<std::uint8_t> values;
-    std::vector<png_byte*> rows;
+    std::size_t rowBytes = 0;
+    std::string problem;
+    std::optional<ImageFill> fill;
+    std::vector<std::uint8_t> rows;  // one, or all where they come in several passes
+    std::vector<png_byte*> starts;
+    std::vector<float> values;  // of one row
 };
 
-void read(png_struct* png, png_byte* to, std::size_t size) {
+void readInput(png_struct* png, png_byte* to, std::size_t size) {
     auto& bytes = static_cast<PngInput*>(png_get_io_ptr(png))->bytes;
     if (size > bytes.size()) {
         png_error(png, "it ends too early");
@@ -43,12 +47,12 @@ void read(png_struct* png, png_byte* to, std::size_t size) {
     bytes = bytes.subspan(size);
 }
 
-[[noreturn]] void keepProblem(png_struct* png, const char* message) {
+[[noreturn]] void keepReason(png_struct* png, const char* message) {
     static_cast<PngInput*>(png_get_error_ptr(png))->problem = message;
     png_longjmp(png, 1);
 }
 
-void passOver(png_struct* /*png*/, const char* /*warning*/) {}
+void passOverWarning(png_struct* /*png*/, const char* /*warning*/) {}
 
 std::vector<std::string> namesOf(std::size_t channels) {
     const std::array<std::vector<std::string>, 4> names = {
@@ -56,85 +60,130 @@ std::vector<std::string> namesOf(std::size_t channels) {
     return names[channels - 1];
 }
 
-bool prepare(Stored& stored, std::size_t rowBytes) {
-    stored.shapeProblem = shapeProblem(static_cast<int>(std::min<png_uint_32>(stored.width, INT32_MAX)),
-                                       static_cast<int>(std::min<png_uint_32>(stored.height, INT32_MAX)),
-                                       namesOf(stored.channels));
-    if (!stored.shapeProblem.empty()) {
-        return false;
+// Deflate makes at most 258 bytes of two bits.
+constexpr std::size_t mostOfOneByte = 1032;
+
+void takeHeader(Stored& stored, const png_struct* png, const png_info* info, std::size_t compressed) {
+    stored.width = static_cast<int>(std::min<png_uint_32>(png_get_image_width(png, info), INT32_MAX));
+    stored.height = static_cast<int>(std::min<png_uint_32>(png_get_image_height(png, info), INT32_MAX));
+    const std::size_t bits = std::size_t{png_get_bit_depth(png, info)} * png_get_channels(png, info);
+    stored.problem = shapeProblem(stored.width, stored.height, namesOf(1));
+    const auto pixels = static_cast<std::size_t>(stored.width) * static_cast<std::size_t>(stored.height);
+    if (stored.problem.empty() && pixels * bits / 8 > compressed * mostOfOneByte) {
+        stored.problem = fmt::format("it is truncated or corrupt ({} bytes cannot hold {} x {} pixels)",
+                                     compressed, stored.width, stored.height);
     }
-    stored.values.resize(rowBytes * stored.height);
-    for (png_uint_32 y = 0; y < stored.height; ++y) {
-        stored.rows.push_back(stored.values.data() + y * rowBytes);
-    }
-    return true;
 }
 
-// libpng leaves by longjmp: nothing here may need a destructor. False: it left so, or the shape is none.
-bool readPng(png_struct* png, png_info* info, Stored& stored) {
+void takeShape(Stored& stored, const png_struct* png, const png_info* info) {
+    stored.depth = png_get_bit_depth(png, info);
+    stored.channels = png_get_channels(png, info);
+    stored.rowBytes = png_get_rowbytes(png, info);
+    const std::vector<std::string> names = namesOf(stored.channels);
+    stored.problem = shapeProblem(stored.width, stored.height, names);
+    if (stored.problem.empty()) {
+        stored.fill.emplace(stored.width, stored.height, names,
+                            stored.depth == 16 ? SampleType::Unsigned16 : SampleType::Unsigned8);
+    }
+}
+
+void makeRows(Stored& stored, std::size_t count) {
+    stored.rows.resize(stored.rowBytes * count);
+    for (std::size_t y = 0; y < count; ++y) {
+        stored.starts.push_back(stored.rows.data() + y * stored.rowBytes);
+    }
+    stored.values.resize(static_cast<std::size_t>(stored.width) * stored.channels);
+}
+
+void appendRow(Stored& stored, const std::uint8_t* row) {
+    for (std::size_t i = 0; i < stored.values.size(); ++i) {
+        if (stored.depth == 16) {
+            std::uint16_t value = 0;
+            std::memcpy(&value, row + i * sizeof value, sizeof value);
+            stored.values[i] = static_cast<float>(value) / 65535.0f;
+        } else {
+            stored.values[i] = static_cast<float>(row[i]) / 255.0f;
+        }
+    }
+    stored.fill->append(stored.values);
+}
+
+// libpng leaves by longjmp: nothing here may need a destructor. False: it left so, or there is a problem.
+bool readPng(png_struct* png, png_info* info, Stored& stored, std::size_t compressed, bool headerAlone) {
     if (setjmp(png_jmpbuf(png)) != 0) {
         return false;
     }
     png_read_info(png, info);
+    takeHeader(stored, png, info, compressed);
+    if (!stored.problem.empty()) {
+        return false;
+    }
     png_set_expand(png);  // palettes, few bits, transparent colours
     if (png_get_bit_depth(png, info) == 16 && std::endian::native == std::endian::little) {
         png_set_swap(png);
     }
-    png_set_interlace_handling(png);
+    const bool inPasses = png_set_interlace_handling(png) > 1;
     png_read_update_info(png, info);
-    stored.width = png_get_image_width(png, info);
-    stored.height = png_get_image_height(png, info);
-    stored.depth = png_get_bit_depth(png, info);
-    stored.channels = png_get_channels(png, info);
-    if (!prepare(stored, png_get_rowbytes(png, info))) {
-        return false;
+    takeShape(stored, png, info);
+    if (!stored.problem.empty() || headerAlone) {
+        return stored.problem.empty();
     }
-    png_read_image(png, stored.rows.data());
+    makeRows(stored, inPasses ? static_cast<std::size_t>(stored.height) : 1);
+    if (inPasses) {
+        png_read_image(png, stored.starts.data());
+    }
+    for (int y = 0; y < stored.height; ++y) {
+        if (!inPasses) {
+            png_read_row(png, stored.starts[0], nullptr);
+        }
+        appendRow(stored, stored.starts[inPasses ? static_cast<std::size_t>(y) : 0]);
+    }
     png_read_end(png, nullptr);
     return true;
 }
 
-std::vector<float> valuesOf(const Stored& stored) {
-    std::vector<float> values(stored.values.size() / (stored.depth == 16 ? 2 : 1));
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (stored.depth == 16) {
-            std::uint16_t value = 0;
-            std::memcpy(&value, &stored.values[i * sizeof value], sizeof value);
-            values[i] = static_cast<float>(value) / 65535.0f;
-        } else {
-            values[i] = static_cast<float>(stored.values[i]) / 255.0f;
-        }
-    }
-    return values;
-}
+struct PngReader {
+    PngReader() = default;
+    PngReader(const PngReader&) = delete;
+    PngReader& operator=(const PngReader&) = delete;
+    ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
 
-}  // namespace
+    png_struct* png = nullptr;
+    png_info* info = nullptr;
+};
 
-Image decodePng(std::span<const std::byte> bytes, std::string_view name) {
+Image decodeFrom(std::span<const std::byte> bytes, std::string_view name, bool headerAlone) {
     checkSignature(bytes, Format::Png, name);
     if (const std::string problem = pngProblem(bytes); !problem.empty()) {
         failReading(name, problem);
     }
     PngInput input{bytes, ""};
     Stored stored;
-    png_struct* png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &input, keepProblem, passOver);
-    png_info* info = png != nullptr ? png_create_info_struct(png) : nullptr;
+    PngReader reader;
+    reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &input, keepReason, passOverWarning);
+    reader.info = reader.png != nullptr ? png_create_info_struct(reader.png) : nullptr;
     bool whole = false;
-    if (info != nullptr) {
-        png_set_read_fn(png, &input, read);
-        whole = readPng(png, info, stored);
+    if (reader.info != nullptr) {
+        png_set_read_fn(reader.png, &input, readInput);
+        whole = readPng(reader.png, reader.info, stored, bytes.size(), headerAlone);
     }
-    png_destroy_read_struct(&png, &info, nullptr);
-    if (!stored.shapeProblem.empty()) {
-        failReading(name, stored.shapeProblem);
+    if (!stored.problem.empty()) {
+        failReading(name, stored.problem);
     }
     if (!whole) {
-        failReading(name, fmt::format("it is truncated or corrupt ({})", input.problem));
+        failReading(name, fmt::format("it is truncated or corrupt ({})", oneLine(input.problem)));
     }
-    Image image = arrangedImage(static_cast<int>(stored.width), static_cast<int>(stored.height),
-                                namesOf(stored.channels), valuesOf(stored));
-    image.sampleType = stored.depth == 16 ? SampleType::Unsigned16 : SampleType::Unsigned8;
-    return image;
+    return stored.fill->take();
+}
+
+}  // namespace
+
+Image decodePng(std::span<const std::byte> bytes, std::string_view name) {
+    return decodeFrom(bytes, name, false);
+}
+
+Image decodePngHeader(std::span<const std::byte> bytes, std::string_view name) {
+    return decodeFrom(bytes, name, true);
 }
 
 }  // namespace raytorus::image

@@ -6,7 +6,8 @@
 
 namespace raytorus::image {
 
-/// Every PNG, as decode() describes it.
+/// Every PNG, as decode() and decodeHeader() describe it.
+[[nodiscard]] Image decodePngHeader(std::span<const std::byte> bytes, std::string_view name);
 [[nodiscard]] Image decodePng(std::span<const std::byte> bytes, std::string_view name);
 
 }  // namespace raytorus::image
