@@ -24,9 +24,7 @@ protected:
     }
 
     // Nothing is in it that a terminal obeys, and all of it is UTF-8.
-    static void expectClean(const std::string& text) {
-        EXPECT_EQ(printable(text), text);
-    }
+    static void expectClean(const std::string& text) { EXPECT_EQ(printable(text), text); }
     static void expectCleanPage(const std::string& text) {
         expectClean(text);
         EXPECT_EQ(text.find("<script>alert"), std::string::npos) << text;
@@ -151,6 +149,28 @@ TEST_F(ReliabilityWords, OptionsInTheWrongPlace) {
     expectEnd("raytorus golden", ExitCode::Usage, {"a command is missing: list, check, renew, bits"});
     // 0, and not those shaders
     expectEnd("raytorus-view ring.json --shaders x", ExitCode::Usage, {"--edit DIR"});
+}
+
+// Of two outputs with one name the second was there, with 0.
+TEST_F(ReliabilityWords, OutputsThatAreOneFile) {
+    for (const char* command :
+         {"raytorus-bench --list --json o --html ./o",
+          "raytorus-view ring.json --screenshot o.png --window-screenshot \"$PWD/o.png\""}) {
+        expectEnd(command, ExitCode::Usage, {"name the same file"});
+    }
+    writeText(folder / "o", "old");
+    for (const char* command :
+         {"raytorus-bench --list --against o --json o", "raytorus-bench --list --against o --html ./o",
+          "raytorus-view ring.json --golden o.exr --screenshot o.exr"}) {
+        expectEnd(command, ExitCode::Usage, {"would overwrite"});
+    }
+    EXPECT_EQ(text("o"), "old");
+}
+
+TEST_F(ReliabilityWords, ALineInAName) {
+    const ProgramResult result = shell("raytorus render 'none\nraytorus: all is well' -o a.png");
+    // A line of its own
+    EXPECT_NE(result.err.find("\n  raytorus: all is well"), std::string::npos) << result.err;
 }
 
 // A key twice: which one counts?

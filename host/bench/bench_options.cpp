@@ -9,6 +9,7 @@
 #include <random>
 
 #include "cli/number_checks.hpp"
+#include "cli/option_text.hpp"
 #include "cli/program.hpp"
 
 namespace raytorus::bench {
@@ -136,6 +137,9 @@ std::optional<BenchOptions> parseOptions(const std::vector<std::string>& argumen
     if (!options.device.shaderFolder.empty()) {
         throw Error(ExitCode::Usage, "--shaders: the benchmark has shaders of its own, built in");
     }
+    cli::refuseSameFile("--json", options.json, "--html", options.html);
+    cli::refuseToOverwrite("--json", options.json, options.against);
+    cli::refuseToOverwrite("--html", options.html, options.against);
     if (options.family.empty()) {
         options.family = "navi21";
     } else if (!options.isa && !options.groups) {

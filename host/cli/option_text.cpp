@@ -15,10 +15,30 @@
 
 namespace raytorus::cli {
 
-void refuseToOverwrite(const char* option, const std::string& output, const std::string& input) {
+namespace {
+
+// By what is there, or, where nothing is there yet, by name.
+bool isSameFile(const std::string& one, const std::string& other) {
+    namespace fs = std::filesystem;
     std::error_code none;
-    if (std::filesystem::equivalent(output, input, none)) {
+    return !one.empty() && !other.empty() &&
+           (fs::equivalent(one, other, none) ||
+            fs::weakly_canonical(fs::absolute(one), none) == fs::weakly_canonical(fs::absolute(other), none));
+}
+
+}  // namespace
+
+void refuseToOverwrite(const char* option, const std::string& output, const std::string& input) {
+    if (isSameFile(output, input)) {
         throw Error(ExitCode::Usage, fmt::format("{} would overwrite \"{}\", which is read", option, input));
+    }
+}
+
+void refuseSameFile(const char* option, const std::string& output, const char* other,
+                    const std::string& otherOutput) {
+    if (isSameFile(output, otherOutput)) {
+        throw Error(ExitCode::Usage,
+                    fmt::format("{} and {} name the same file, \"{}\"", option, other, output));
     }
 }
 

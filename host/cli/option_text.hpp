@@ -13,6 +13,10 @@ namespace raytorus::cli {
 /// Throws Error{Usage} if the output is the file that is read: a slip must not cost it.
 void refuseToOverwrite(const char* option, const std::string& output, const std::string& input);
 
+/// Throws Error{Usage} if two outputs are one file, for then one of them is lost.
+void refuseSameFile(const char* option, const std::string& output, const char* other,
+                    const std::string& otherOutput);
+
 /// --size: "960x640".
 std::pair<int, int> sizeOption(const std::string& text);
 

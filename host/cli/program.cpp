@@ -21,8 +21,15 @@
 namespace raytorus::cli {
 namespace {
 
+// What has several lines, as a shader's errors, goes on indented: a file's name cannot have a line that looks
+// like one of ours.
 ExitCode fail(std::string_view name, ExitCode code, std::string_view message) {
-    writeError(fmt::format("{}: {}\n", name, message));
+    std::string text;
+    for (const char c : message) {
+        text += text.ends_with('\n') && c != ' ' ? "  " : "";
+        text += c;
+    }
+    writeError(fmt::format("{}: {}\n", name, text));
     return code;
 }
 

@@ -113,6 +113,8 @@ void readTexts(const Texts& texts, ViewerOptions& options) {
     readSequence(texts, options);
     requireImageName("--screenshot", options.screenshot, false);
     requireImageName("--window-screenshot", options.windowScreenshot, true);
+    cli::refuseSameFile("--screenshot", options.screenshot, "--window-screenshot", options.windowScreenshot);
+    cli::refuseToOverwrite("--screenshot", options.screenshot, options.golden);
 }
 
 }  // namespace

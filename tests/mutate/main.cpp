@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "cli/number_checks.hpp"
+#include "cli/option_text.hpp"
 #include "cli/program.hpp"
 #include "core/console.hpp"
 #include "core/file.hpp"
@@ -70,6 +71,7 @@ std::optional<Options> parseOptions(const std::vector<std::string>& arguments) {
     if (!cli::parse(app, arguments)) {
         return std::nullopt;
     }
+    cli::refuseSameFile("--json", options.json, "--markdown", options.markdown);
     return options;
 }
 
