@@ -29,7 +29,8 @@ TEST_F(ProgramStart, LoadsOpenImageIoForExrAlone) {
     EXPECT_FALSE(loadsOpenImageIo({"trace", "rays.csv", "-o", "hits.csv", "--torus", "1,0.25"}));
     EXPECT_FALSE(loadsOpenImageIo({"render", "scene.json", "-o", "out.png"}));
     EXPECT_TRUE(loadsOpenImageIo({"render", "scene.json", "-o", "out.exr"}));
-    EXPECT_TRUE(loadsOpenImageIo({"compare", "out.png", "out.png"}));
+    EXPECT_FALSE(loadsOpenImageIo({"compare", "out.png", "out.png"}));
+    EXPECT_TRUE(loadsOpenImageIo({"compare", "out.exr", "out.exr"}));
 }
 
 }  // namespace
