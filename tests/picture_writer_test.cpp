@@ -7,12 +7,12 @@
 
 #include <atomic>
 #include <future>
-#include <semaphore>
 #include <string>
 #include <vector>
 
 #include "core/error.hpp"
 #include "expect_error.hpp"
+#include "semaphore.hpp"
 
 namespace raytorus::cli {
 namespace {
@@ -32,8 +32,8 @@ struct Hand {
     }
 
     const std::thread::id renderer = std::this_thread::get_id();
-    std::counting_semaphore<> began{0};
-    std::counting_semaphore<> go{0};
+    test::Semaphore began;
+    test::Semaphore go;
     std::filesystem::path failing;
     std::vector<std::string> written;  // read after finish() or the writer's end
 };

@@ -6,11 +6,11 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <semaphore>
 #include <thread>
 
 #include "core/error.hpp"
 #include "expect_error.hpp"
+#include "semaphore.hpp"
 
 namespace raytorus::render {
 namespace {
@@ -65,7 +65,7 @@ TEST(PipelineStore, WhatIsPreparedIsMadeOnceByAnotherThread) {
 
 TEST(PipelineStore, PreparingDoesNotWait) {
     Maker maker;
-    std::binary_semaphore go(0);
+    test::Semaphore go;
     PipelineStore store;
     store.prepare(Route::Fragment, {1}, [&] {
         go.acquire();
@@ -91,7 +91,7 @@ TEST(PipelineStore, WhatGoesWrongIsThrownWhenThePipelineIsWanted) {
 
 TEST(PipelineStore, WhatIsBeingMadeEndsBeforeTheStoreGoes) {
     Maker maker;
-    std::binary_semaphore begun(0);
+    test::Semaphore begun;
     {
         PipelineStore store;
         store.prepare(Route::Fragment, {1}, [&] {

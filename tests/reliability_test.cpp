@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Nothing is lost and nothing passes in silence, case by case (docs/reliability.md). Each is a command as
 // people type it, run by a shell in a folder of its own. Behind each stands how it ended when it was found.
+#include "reliability.hpp"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-
-#include "reliability.hpp"
 
 namespace raytorus::test {
 namespace {

@@ -55,7 +55,8 @@ void addSizeFaults(const reference::Torus& torus, const reference::Ray& ray, Not
     const double size = double{torus.majorRadius} + double{torus.minorRadius};
     const double length = reference::toDouble(lengthOf(reference::toQuad(ray.direction)));
     if (!isTorusInRange(torus.majorRadius, torus.minorRadius)) {
-        faults.push_back(fmt::format("R + r = {:.3g} is not from {:g} to {:g}", size, smallestTorus, largestTorus));
+        faults.push_back(
+            fmt::format("R + r = {:.3g} is not from {:g} to {:g}", size, smallestTorus, largestTorus));
     }
     if (!(length >= shortest && length <= longest)) {
         faults.push_back(fmt::format("the direction is {:.3g} long, not 1e-18 to 1e18", length));
