@@ -196,10 +196,9 @@ TEST_F(BoundedChild, IsEndedWhereNobodyListens) {
     EXPECT_LT(std::chrono::steady_clock::now() - began, 10s);
 }
 
+// The sanitizer's allocator does not outlive a fork beside threads that use it.
+#ifndef __SANITIZE_ADDRESS__
 TEST_F(BoundedChild, ManyAtOnceDoNotWaitForOneAnother) {
-#ifdef __SANITIZE_ADDRESS__
-    GTEST_SKIP() << "the sanitizer's allocator does not outlive a fork beside threads that use it";
-#endif
     const auto began = std::chrono::steady_clock::now();
     std::vector<std::thread> threads;
     std::atomic<int> right = 0;
@@ -213,15 +212,16 @@ TEST_F(BoundedChild, ManyAtOnceDoNotWaitForOneAnother) {
                         waitForever();
                     }
                 },
-                {.time = 500ms});
-            const bool late = std::string(ended.reason) == "takes longer than 0.5 s";
+                {.time = 2s});
+            const bool late = std::string(ended.reason) == "takes longer than 2 s";
             right += late == waits && ended.heard.size() == 1 && ended.heard[0].size() == 200'000 ? 1 : 0;
         });
     }
     std::ranges::for_each(threads, [](std::thread& thread) { thread.join(); });
     EXPECT_EQ(right, 8);
-    EXPECT_LT(std::chrono::steady_clock::now() - began, 1900ms);
+    EXPECT_LT(std::chrono::steady_clock::now() - began, 7s) << "four that wait for one another take 8 s";
 }
+#endif
 
 // A program in the middle of a compilation is killed: no child of it goes on.
 TEST_F(BoundedChild, EndsWithItsProgram) {
