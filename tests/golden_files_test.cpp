@@ -9,6 +9,7 @@
 #include "core/file.hpp"
 #include "expect_error.hpp"
 #include "failing_rename.hpp"
+#include "file_limit.hpp"
 #include "golden/golden_check.hpp"
 #include "golden/golden_folder.hpp"
 #include "golden/golden_renew.hpp"
