@@ -79,7 +79,7 @@ TEST(BenchJson, IsRefusedInAnotherFormat) {
         test::writeText(path, text);
         test::expectError([&] { readReference(path); }, ExitCode::File, words);
     };
-    expectRefused("{\"format\": ", {"table.json", "no JSON"});
+    expectRefused("{\"format\": ", {"table.json", "not JSON"});
     expectRefused("[1, 2]", {"table.json", "no table that raytorus-bench --json has written"});
     expectRefused("{\"format\": \"raytorus-bench-isa\"}",
                   {"no table that raytorus-bench --json has written"});
