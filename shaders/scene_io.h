@@ -74,7 +74,7 @@ struct SceneTorus {
     ivec4 names;  // index in the scene, material, 0, 0
 };
 
-// A node of the bounding volume hierarchy, depth first. See host/render/bvh.hpp.
+// A node of the bounding volume hierarchy, depth first. See host/scene/bvh.hpp.
 struct SceneNode {
     vec4 minimum;  // w: the bits of `skip`, the node after this subtree
     vec4 maximum;  // w: the bits of `primitive`, the torus of a leaf or -1

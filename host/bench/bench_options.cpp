@@ -8,9 +8,9 @@
 #include <limits>
 #include <random>
 
-#include "cli/number_checks.hpp"
-#include "cli/option_text.hpp"
-#include "cli/program.hpp"
+#include "options/number_checks.hpp"
+#include "options/option_text.hpp"
+#include "options/program.hpp"
 
 namespace raytorus::bench {
 namespace {
@@ -57,13 +57,13 @@ void addOptions(CLI::App& app, BenchOptions& options, Texts& texts, CLI::Option*
         ->option_text("NAME,... [nearest,any,all]");
     app.add_flag("--quick", texts.quick, "An eighth of the workloads, 9 rounds");
     app.add_option("--rays", texts.rays, "Different rays of a workload: 4096, 16384, 65536 or 262144")
-        ->check(cli::wholeNumber(4096, 262144) & CLI::IsMember({4096, 16384, 65536, 262144}))
+        ->check(options::wholeNumber(4096, 262144) & CLI::IsMember({4096, 16384, 65536, 262144}))
         ->option_text("N [65536]");
     app.add_option("--rounds", texts.rounds, "Timed runs of each method, in turns")
-        ->check(cli::wholeNumber(1, 1000))
+        ->check(options::wholeNumber(1, 1000))
         ->option_text("N [15]");
     seed = app.add_option("--seed", options.measure.seed, "A whole number, for the same rays again")
-               ->check(cli::wholeNumber(0, std::numeric_limits<std::uint64_t>::max()))
+               ->check(options::wholeNumber(0, std::numeric_limits<std::uint64_t>::max()))
                ->option_text("N [fresh]");
     app.add_option("--json", options.json, "Write the results, as --against reads them")->option_text("FILE");
     app.add_option("--html", options.html, "Write the results as a page with plots")->option_text("FILE");
@@ -84,17 +84,17 @@ void addOptions(CLI::App& app, BenchOptions& options, Texts& texts, CLI::Option*
     app.add_option("--family", options.family,
                    "The GPU that --isa and --groups compile for, as radv calls it")
         ->option_text("NAME [navi21]");
-    cli::addDeviceOptions(app, options.device);
+    options::addDeviceOptions(app, options.device);
 }
 
-std::vector<render::Query> parseQueries(const std::vector<std::string>& names) {
+std::vector<trace::Query> parseQueries(const std::vector<std::string>& names) {
     for (const std::string& name : names) {
-        if (std::ranges::none_of(allQueries, [&](render::Query query) { return nameOf(query) == name; })) {
+        if (std::ranges::none_of(allQueries, [&](trace::Query query) { return nameOf(query) == name; })) {
             throw Error(ExitCode::Usage, fmt::format("--query is nearest, any or all, not \"{}\"", name));
         }
     }
-    std::vector<render::Query> queries;
-    for (const render::Query query : allQueries) {
+    std::vector<trace::Query> queries;
+    for (const trace::Query query : allQueries) {
         if (names.empty() || std::ranges::find(names, nameOf(query)) != names.end()) {
             queries.push_back(query);
         }
@@ -131,15 +131,15 @@ std::optional<BenchOptions> parseOptions(const std::vector<std::string>& argumen
     app.footer(footer);
     options.device.program = programName;
     addOptions(app, options, texts, seed);
-    if (!cli::parse(app, arguments)) {
+    if (!options::parse(app, arguments)) {
         return std::nullopt;
     }
     if (!options.device.shaderFolder.empty()) {
         throw Error(ExitCode::Usage, "--shaders: the benchmark has shaders of its own, built in");
     }
-    cli::refuseSameFile("--json", options.json, "--html", options.html);
-    cli::refuseToOverwrite("--json", options.json, options.against);
-    cli::refuseToOverwrite("--html", options.html, options.against);
+    options::refuseSameFile("--json", options.json, "--html", options.html);
+    options::refuseToOverwrite("--json", options.json, options.against);
+    options::refuseToOverwrite("--html", options.html, options.against);
     if (options.family.empty()) {
         options.family = "navi21";
     } else if (!options.isa && !options.groups) {

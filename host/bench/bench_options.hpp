@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bench/measure.hpp"
-#include "cli/device_options.hpp"
+#include "options/device_options.hpp"
 
 namespace raytorus::bench {
 
@@ -16,7 +16,7 @@ inline constexpr const char* programName = "raytorus-bench";
 struct BenchOptions {
     std::vector<Workload> workloads;
     std::vector<TimedMethod> methods;
-    std::vector<render::Query> queries;
+    std::vector<trace::Query> queries;
     MeasureOptions measure;
     bool list = false;
     bool isa = false;
@@ -25,7 +25,7 @@ struct BenchOptions {
     std::string json;    ///< files; empty: none
     std::string html;
     std::string against;
-    cli::DeviceOptions device;
+    options::DeviceOptions device;
 };
 
 /// Nothing if there is nothing to do: --help and --version have been answered. Throws Error{Usage}.

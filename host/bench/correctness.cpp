@@ -7,14 +7,14 @@
 #include <mutex>
 #include <thread>
 
-#include "verify/histogram.hpp"
-#include "verify/in_parallel.hpp"
-#include "verify/trace_ray.hpp"
+#include "core/in_parallel.hpp"
+#include "judge/histogram.hpp"
+#include "trace/trace_ray.hpp"
 
 namespace raytorus::bench {
 namespace {
 
-using render::Query;
+using trace::Query;
 
 // Aiming looks at some 4096 rays: 0.7 % of hits more or less.
 constexpr std::size_t aimingRays = 4096;
@@ -29,7 +29,7 @@ double distanceBetween(std::span<const float> position, const reference::Vec3<do
                       double{position[2]} - exact[2]);
 }
 
-Judged judgeNearest(const verify::Truth& truth, std::span<const float> answer) {
+Judged judgeNearest(const judge::Truth& truth, std::span<const float> answer) {
     const bool hit = answer[0] != 0.0F;
     if (hit != (truth.count > 0) || (hit && !std::isfinite(answer[1]))) {
         return {true, 0.0};
@@ -37,7 +37,7 @@ Judged judgeNearest(const verify::Truth& truth, std::span<const float> answer) {
     return {false, hit ? distanceBetween(answer.subspan(2, 3), truth.hits[0].position) : 0.0};
 }
 
-Judged judgeAll(const verify::Truth& truth, std::span<const float> answer) {
+Judged judgeAll(const judge::Truth& truth, std::span<const float> answer) {
     if (answer[0] != static_cast<float>(truth.count)) {
         return {true, 0.0};
     }
@@ -52,7 +52,7 @@ Judged judgeAll(const verify::Truth& truth, std::span<const float> answer) {
     return judged;
 }
 
-Judged judgeOne(Query query, const verify::Truth& truth, std::span<const float> answer) {
+Judged judgeOne(Query query, const judge::Truth& truth, std::span<const float> answer) {
     if (query == Query::Any) {
         return {(answer[0] != 0.0F) != (truth.count > 0), 0.0};
     }
@@ -65,17 +65,17 @@ bool isGross(const reference::Torus& torus, const Judged& judged) {
 
 }  // namespace
 
-Truths::Truths(const reference::Torus& wantedTorus, std::vector<render::TraceRay> wantedRays,
+Truths::Truths(const reference::Torus& wantedTorus, std::vector<trace::TraceRay> wantedRays,
                unsigned wantedThreads)
     : torus(wantedTorus),
       rays(std::move(wantedRays)),
       threads(wantedThreads > 0 ? wantedThreads : std::max(1U, std::thread::hardware_concurrency())),
       entries(rays.size()) {
-    const double endMargin = verify::clearEndMargin(torus);
-    verify::inParallel(threads, rays.size(), [&](std::size_t from, std::size_t to) {
+    const double endMargin = judge::clearEndMargin(torus);
+    inParallel(threads, rays.size(), [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
-            entries[i].truth = verify::quickTruth(torus, verify::asReferenceRay(rays[i]));
-            entries[i].clear = verify::isClear(entries[i].truth, verify::clearMargin, endMargin);
+            entries[i].truth = judge::quickTruth(torus, trace::asReferenceRay(rays[i]));
+            entries[i].clear = judge::isClear(entries[i].truth, judge::clearMargin, endMargin);
         }
     });
 }
@@ -90,11 +90,11 @@ Verdicts Truths::judge(Query query, std::span<const float> answers) {
     const std::size_t floats = answerFloats(query);
     const double size = double{torus.majorRadius} + double{torus.minorRadius};
     Verdicts total;
-    verify::Histogram errors;
+    judge::Histogram errors;
     std::mutex mutex;
-    verify::inParallel(threads, entries.size(), [&](std::size_t from, std::size_t to) {
+    inParallel(threads, entries.size(), [&](std::size_t from, std::size_t to) {
         Verdicts part;
-        verify::Histogram partErrors;
+        judge::Histogram partErrors;
         for (std::size_t i = from; i < to; ++i) {
             Entry& entry = entries[i];
             if (!entry.clear) {
@@ -103,7 +103,7 @@ Verdicts Truths::judge(Query query, std::span<const float> answers) {
             const std::span<const float> answer = answers.subspan(i * floats, floats);
             Judged judged = judgeOne(query, entry.truth, answer);
             if (!entry.precise && (judged.wrong || isGross(torus, judged))) {
-                entry.truth = verify::preciseTruth(torus, verify::asReferenceRay(rays[i]));
+                entry.truth = judge::preciseTruth(torus, trace::asReferenceRay(rays[i]));
                 entry.precise = true;
                 judged = judgeOne(query, entry.truth, answer);
             }
@@ -132,14 +132,14 @@ View aimedView(Kernel& kernel, const Workload& workload, std::uint64_t seed) {
     });
 }
 
-double hitPartOf(const reference::Torus& torus, std::span<const render::TraceRay> rays, std::size_t stride) {
+double hitPartOf(const reference::Torus& torus, std::span<const trace::TraceRay> rays, std::size_t stride) {
     const std::size_t looked = (rays.size() + stride - 1) / stride;
     std::atomic<std::size_t> hits = 0;
     const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
-    verify::inParallel(threads, looked, [&](std::size_t from, std::size_t to) {
+    inParallel(threads, looked, [&](std::size_t from, std::size_t to) {
         std::size_t some = 0;
         for (std::size_t i = from; i < to; ++i) {
-            some += verify::quickTruth(torus, verify::asReferenceRay(rays[i * stride])).count > 0 ? 1U : 0U;
+            some += judge::quickTruth(torus, trace::asReferenceRay(rays[i * stride])).count > 0 ? 1U : 0U;
         }
         hits += some;
     });

@@ -8,13 +8,13 @@
 
 #include "bench/kernel.hpp"
 #include "bench/view.hpp"
-#include "render/tracer.hpp"
-#include "verify/judge.hpp"
+#include "judge/judge.hpp"
+#include "trace/tracer.hpp"
 
 namespace raytorus::bench {
 
 struct Verdicts {
-    std::size_t judged = 0;    ///< rays that are clear: see verify::isClear
+    std::size_t judged = 0;    ///< rays that are clear: see judge::isClear
     std::size_t wrong = 0;     ///< of these: hit or miss wrong, or for all hits their number or their order
     std::size_t gross = 0;     ///< of the rest: a position off by more than 0.01 r
     double positionP99 = 0.0;  ///< of the rest: 99 of 100 positions are off by less, in R + r
@@ -26,30 +26,30 @@ struct Verdicts {
 class Truths {
 public:
     /// `threads` of 0: as many as there are processors.
-    Truths(const reference::Torus& torus, std::vector<render::TraceRay> rays, unsigned threads = 0);
+    Truths(const reference::Torus& torus, std::vector<trace::TraceRay> rays, unsigned threads = 0);
 
     /// The part of the rays that hit, 0 to 1.
     [[nodiscard]] double hitPart() const;
 
     /// `answers`: as Kernel::answers has them. Whoever differs from a truth in doubles makes that ray's truth
     /// be found again in 104 bits, and counts as wrong only if it differs from that too.
-    Verdicts judge(render::Query query, std::span<const float> answers);
+    Verdicts judge(trace::Query query, std::span<const float> answers);
 
 private:
     struct Entry {
-        verify::Truth truth;
+        judge::Truth truth;
         bool clear = false;
         bool precise = false;
     };
 
     reference::Torus torus;
-    std::vector<render::TraceRay> rays;
+    std::vector<trace::TraceRay> rays;
     unsigned threads;
     std::vector<Entry> entries;
 };
 
 /// The part of these rays that hit, as views are aimed by: every `stride`th is looked at.
-double hitPartOf(const reference::Torus& torus, std::span<const render::TraceRay> rays, std::size_t stride);
+double hitPartOf(const reference::Torus& torus, std::span<const trace::TraceRay> rays, std::size_t stride);
 
 /// Where the workload's rays are seen from, so that the part of them that it wants hits.
 View aimedView(Kernel& kernel, const Workload& workload, std::uint64_t seed);

@@ -47,20 +47,20 @@ private:
     std::optional<std::string> before;
 };
 
-std::vector<render::TraceRay> raysOfClass(reference::RayClass rayClass, const reference::Torus& torus,
-                                          std::uint64_t seed, std::size_t count) {
+std::vector<trace::TraceRay> raysOfClass(reference::RayClass rayClass, const reference::Torus& torus,
+                                         std::uint64_t seed, std::size_t count) {
     reference::RayParameters parameters;
     parameters.torus = torus;
     parameters.seed = seed;
-    std::vector<render::TraceRay> rays;
+    std::vector<trace::TraceRay> rays;
     for (const reference::Ray& ray : reference::generateRays(rayClass, parameters, count)) {
-        rays.push_back(std::bit_cast<render::TraceRay>(ray));
+        rays.push_back(std::bit_cast<trace::TraceRay>(ray));
     }
     return rays;
 }
 
-std::vector<render::TraceRay> benchRays(Kernel& kernel, Pattern pattern, float minorRadius,
-                                        std::uint64_t seed) {
+std::vector<trace::TraceRay> benchRays(Kernel& kernel, Pattern pattern, float minorRadius,
+                                       std::uint64_t seed) {
     const Workload workload{Mode::Made, pattern, minorRadius, cameraDistance,
                             pattern == Pattern::Tiles ? 30 : 50};
     return kernel.rays(pattern, aimedView(kernel, workload, seed));
@@ -72,7 +72,7 @@ public:
     PathTracer(gpu::Context& deviceContext, std::size_t rayCount)
         : context(&deviceContext),
           count(rayCount),
-          rays(deviceContext, rayCount * sizeof(render::TraceRay), gpu::BufferUse::Storage),
+          rays(deviceContext, rayCount * sizeof(trace::TraceRay), gpu::BufferUse::Storage),
           paths(deviceContext, rayCount * sizeof(RayPath), gpu::BufferUse::ReadBack) {
         gpu::PipelineLayoutInfo info;
         info.bindings = {{TRACE_BINDING_RAYS, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
@@ -85,7 +85,7 @@ public:
         pipeline->bind(TRACE_BINDING_HITS, paths);
     }
 
-    std::vector<RayPath> trace(const reference::Torus& torus, std::span<const render::TraceRay> asked) {
+    std::vector<RayPath> trace(const reference::Torus& torus, std::span<const trace::TraceRay> asked) {
         std::memcpy(rays.data(), asked.data(), asked.size_bytes());
         context->submit([&](VkCommandBuffer commands) {
             pipeline->use(commands, std::as_bytes(std::span(&torus, 1)));
@@ -195,7 +195,7 @@ std::optional<PartCosts> countParts(const std::string& family) {
         const std::vector<std::string> names{"closed-form-common"};
         const std::vector<TimedMethod> methods = chooseMethods(names);
         const std::vector<IsaRow> rows =
-            countInstructions(context, methods, std::array{render::Query::Nearest});
+            countInstructions(context, methods, std::array{trace::Query::Nearest});
         return PartCosts{part(GROUPS_PART_ENDS), part(GROUPS_PART_STEP), part(GROUPS_PART_REFINEMENT),
                          static_cast<double>(rows.back().of("Instructions").value_or(0))};
     } catch (const Error& error) {
@@ -212,7 +212,7 @@ std::vector<GroupRow> measureGroups(gpu::Context& context, const GroupOptions& o
     Kernel kernel(context, options.side);
     PathTracer tracer(context, kernel.rayCount());
     std::vector<GroupRow> rows;
-    const auto add = [&](const char* name, float minorRadius, std::span<const render::TraceRay> rays) {
+    const auto add = [&](const char* name, float minorRadius, std::span<const trace::TraceRay> rays) {
         GroupRow row = groupRow(tracer.trace({1.0F, minorRadius}, rays), costs);
         row.rays = name;
         row.minorRadius = minorRadius;

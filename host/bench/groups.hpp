@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "gpu/context.hpp"
-#include "render/tracer.hpp"
+#include "trace/tracer.hpp"
 
 namespace raytorus::bench {
 

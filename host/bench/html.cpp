@@ -52,14 +52,14 @@ std::string runHtml(const BenchRun& run) {
         "class=\"scattered\">scattered rays</i>; the bar is their geometric mean. A cross instead of a dot: "
         "more "
         "than one answer in a thousand was wrong.</p>\n";
-    for (const render::Query query : allQueries) {
+    for (const trace::Query query : allQueries) {
         const bool present =
             std::ranges::any_of(run.cells, [query](const CellResult& cell) { return cell.query == query; });
         if (present) {
             page += fmt::format("<h2>{}</h2>\n{}",
-                                query == render::Query::Nearest ? "Nearest hit"
-                                : query == render::Query::Any   ? "Any hit"
-                                                                : "All hits",
+                                query == trace::Query::Nearest ? "Nearest hit"
+                                : query == trace::Query::Any   ? "Any hit"
+                                                               : "All hits",
                                 ratioPlot(run, query));
         }
     }

@@ -116,7 +116,7 @@ IsaRow count(gpu::Context& context, std::span<const std::uint32_t> words, const 
     return row;
 }
 
-IsaRow countOne(gpu::Context& context, const TimedMethod& method, render::Query query) {
+IsaRow countOne(gpu::Context& context, const TimedMethod& method, trace::Query query) {
     IsaRow row = count(context, method.shaders.load("one_ray.comp"), "one_ray.comp of " + method.name,
                        queryConstant(query), timedCompilations);
     row.method = method.name;
@@ -145,7 +145,7 @@ std::string rowText(const IsaRow& row, const IsaRow& ours) {
                        cellOf(row, "Code size"), row.compileMs);
 }
 
-const IsaRow* findRow(std::span<const IsaRow> rows, render::Query query, const char* method) {
+const IsaRow* findRow(std::span<const IsaRow> rows, trace::Query query, const char* method) {
     const auto found = std::ranges::find_if(
         rows, [&](const IsaRow& row) { return row.query == query && row.method == method; });
     return found == rows.end() ? nullptr : &*found;
@@ -156,8 +156,8 @@ constexpr double instructionAim = 1.5;
 constexpr std::uint64_t registerAim = 40;
 
 std::string aimText(std::span<const IsaRow> rows) {
-    const IsaRow* ours = findRow(rows, render::Query::Nearest, ourName);
-    const IsaRow* peer = findRow(rows, render::Query::Nearest, "closed-form-common");
+    const IsaRow* ours = findRow(rows, trace::Query::Nearest, ourName);
+    const IsaRow* peer = findRow(rows, trace::Query::Nearest, "closed-form-common");
     if (ours == nullptr || peer == nullptr || peer->of("Instructions").value_or(0) == 0) {
         return "";
     }
@@ -203,7 +203,7 @@ void chooseNullDevice(const std::string& family) {
 }
 
 std::vector<IsaRow> countInstructions(gpu::Context& context, std::span<const TimedMethod> methods,
-                                      std::span<const render::Query> queries) {
+                                      std::span<const trace::Query> queries) {
     if (!context.hasPipelineStatistics()) {
         throw Error(ExitCode::NoDevice,
                     fmt::format("--isa needs VK_KHR_pipeline_executable_properties, which "
@@ -211,7 +211,7 @@ std::vector<IsaRow> countInstructions(gpu::Context& context, std::span<const Tim
                                 context.info().name, context.info().driverInfo));
     }
     std::vector<IsaRow> rows;
-    for (const render::Query query : queries) {
+    for (const trace::Query query : queries) {
         for (const TimedMethod& method : methods) {
             if (method.needs != Needs::Float64 || context.hasFloat64()) {
                 rows.push_back(countOne(context, method, query));
@@ -228,7 +228,7 @@ std::uint64_t countInstructions(gpu::Context& context, std::span<const std::uint
 
 std::string isaText(std::span<const IsaRow> rows) {
     std::string text;
-    for (const render::Query query : allQueries) {
+    for (const trace::Query query : allQueries) {
         const IsaRow* ours = findRow(rows, query, ourName);
         if (ours == nullptr) {
             continue;

@@ -11,13 +11,13 @@
 
 #include "bench/timed_method.hpp"
 #include "gpu/context.hpp"
-#include "render/tracer.hpp"
+#include "trace/tracer.hpp"
 
 namespace raytorus::bench {
 
 struct IsaRow {
     std::string method;
-    render::Query query = render::Query::Nearest;
+    trace::Query query = trace::Query::Nearest;
     std::vector<std::pair<std::string, std::uint64_t>> statistics;  ///< by the driver's names
     double compileMs =
         0.0;  ///< milliseconds in which the driver makes the pipeline, the fastest of some times
@@ -33,7 +33,7 @@ void chooseNullDevice(const std::string& family);
 
 /// Compiles each method and query. Throws Error{NoDevice} if the device counts nothing.
 std::vector<IsaRow> countInstructions(gpu::Context& context, std::span<const TimedMethod> methods,
-                                      std::span<const render::Query> queries);
+                                      std::span<const trace::Query> queries);
 
 /// The instructions of a shader with the bindings of one_ray.comp and one specialization constant.
 std::uint64_t countInstructions(gpu::Context& context, std::span<const std::uint32_t> words,

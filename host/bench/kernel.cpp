@@ -25,20 +25,20 @@ std::uint32_t checksumOf(std::span<const float> answers) {
     return sum;
 }
 
-std::uint32_t queryConstant(render::Query query) {
+std::uint32_t queryConstant(trace::Query query) {
     switch (query) {
-        case render::Query::All:
+        case trace::Query::All:
             return TRACE_QUERY_ALL;
-        case render::Query::Any:
+        case trace::Query::Any:
             return TRACE_QUERY_ANY;
-        case render::Query::Nearest:
+        case trace::Query::Nearest:
             break;
     }
     return TRACE_QUERY_NEAREST;
 }
 
-std::size_t answerFloats(render::Query query) {
-    return query == render::Query::Nearest ? BENCH_NEAREST_FLOATS : render::hitFloats(query);
+std::size_t answerFloats(trace::Query query) {
+    return query == trace::Query::Nearest ? BENCH_NEAREST_FLOATS : trace::hitFloats(query);
 }
 
 Kernel::Kernel(gpu::Context& deviceContext, std::uint32_t pictureSide)
@@ -52,7 +52,7 @@ std::size_t Kernel::rayCount() const {
     return std::size_t{side} * side * BENCH_GROUP_RAYS;
 }
 
-gpu::Pipeline& Kernel::pipeline(const TimedMethod& method, render::Query query, Pattern pattern,
+gpu::Pipeline& Kernel::pipeline(const TimedMethod& method, trace::Query query, Pattern pattern,
                                 std::uint32_t task) {
     const Key key{method.name, queryConstant(query), pattern, task};
     const auto found = pipelines.find(key);
@@ -84,16 +84,16 @@ double Kernel::run(gpu::Pipeline& chosen, const View& view, std::uint32_t layers
     });
 }
 
-std::vector<render::TraceRay> Kernel::rays(Pattern pattern, const View& view) {
+std::vector<trace::TraceRay> Kernel::rays(Pattern pattern, const View& view) {
     const std::size_t words = rayCount() * TRACE_RAY_FLOATS;
     reserve(words);
-    run(pipeline(timedMethods().front(), render::Query::Any, pattern, BENCH_TASK_RAYS), view, 1);
-    std::vector<render::TraceRay> made(rayCount());
+    run(pipeline(timedMethods().front(), trace::Query::Any, pattern, BENCH_TASK_RAYS), view, 1);
+    std::vector<trace::TraceRay> made(rayCount());
     std::memcpy(made.data(), output.data(), words * sizeof(float));
     return made;
 }
 
-std::vector<float> Kernel::answers(const TimedMethod& method, render::Query query, Pattern pattern,
+std::vector<float> Kernel::answers(const TimedMethod& method, trace::Query query, Pattern pattern,
                                    const View& view) {
     const std::size_t words = rayCount() * answerFloats(query);
     reserve(words);
@@ -102,7 +102,7 @@ std::vector<float> Kernel::answers(const TimedMethod& method, render::Query quer
     return {written.begin(), written.end()};
 }
 
-Shot Kernel::time(const TimedMethod& method, render::Query query, Pattern pattern, const View& view,
+Shot Kernel::time(const TimedMethod& method, trace::Query query, Pattern pattern, const View& view,
                   std::uint32_t layers) {
     const std::size_t invocations = rayCount() / BENCH_RAYS_EACH;
     gpu::Pipeline& chosen = pipeline(method, query, pattern, BENCH_TASK_TIME);

@@ -35,14 +35,14 @@ public:
     [[nodiscard]] std::size_t rayCount() const;
 
     /// The rays of a view, as bench.comp makes them, in the order in which it answers them.
-    std::vector<render::TraceRay> rays(Pattern pattern, const View& view);
+    std::vector<trace::TraceRay> rays(Pattern pattern, const View& view);
 
     /// The answers to them: answerFloats(query) a ray.
-    std::vector<float> answers(const TimedMethod& method, render::Query query, Pattern pattern,
+    std::vector<float> answers(const TimedMethod& method, trace::Query query, Pattern pattern,
                                const View& view);
 
     /// Answers all rays of the view `layers` times in one submission.
-    Shot time(const TimedMethod& method, render::Query query, Pattern pattern, const View& view,
+    Shot time(const TimedMethod& method, trace::Query query, Pattern pattern, const View& view,
               std::uint32_t layers);
 
     /// Lets go of all pipelines. Where a driver for processors puts their code can cost a third of the time,
@@ -52,7 +52,7 @@ public:
 private:
     using Key = std::tuple<std::string, std::uint32_t, Pattern, std::uint32_t>;
 
-    gpu::Pipeline& pipeline(const TimedMethod& method, render::Query query, Pattern pattern,
+    gpu::Pipeline& pipeline(const TimedMethod& method, trace::Query query, Pattern pattern,
                             std::uint32_t task);
     void reserve(std::size_t words);
     double run(gpu::Pipeline& chosen, const View& view, std::uint32_t layers);
@@ -65,9 +65,9 @@ private:
 };
 
 /// Floats of an answer that Kernel gives: hit, t and position; count, four t and four positions; or hit.
-std::size_t answerFloats(render::Query query);
+std::size_t answerFloats(trace::Query query);
 
 /// What trace.comp calls a query.
-std::uint32_t queryConstant(render::Query query);
+std::uint32_t queryConstant(trace::Query query);
 
 }  // namespace raytorus::bench

@@ -15,11 +15,11 @@
 #include "bench/machine.hpp"
 #include "bench/summary.hpp"
 #include "bench/table.hpp"
-#include "cli/program.hpp"
-#include "cli/progress.hpp"
 #include "core/console.hpp"
 #include "core/file.hpp"
-#include "render/fused_fma.hpp"
+#include "options/program.hpp"
+#include "options/progress.hpp"
+#include "trace/fused_fma.hpp"
 
 namespace raytorus::bench {
 namespace {
@@ -51,7 +51,7 @@ ExitCode list(const BenchOptions& options) {
 ExitCode countCode(const BenchOptions& options) {
     const std::unique_ptr<OutputFile> json = openOutput(options.json);
     chooseNullDevice(options.family);
-    cli::withDevice(options.device, [&](gpu::Context& context) {
+    options::withDevice(options.device, [&](gpu::Context& context) {
         print("{} ({} {}), one ray in, one answer out\n\n", context.info().name, context.info().driverName,
               context.info().driverInfo);
         const std::vector<IsaRow> rows = countInstructions(context, options.methods, options.queries);
@@ -64,10 +64,10 @@ ExitCode countCode(const BenchOptions& options) {
 ExitCode countGroups(const BenchOptions& options) {
     const std::unique_ptr<OutputFile> json = openOutput(options.json);
     const std::optional<PartCosts> costs = countParts(options.family);
-    cli::withDevice(options.device, [&](gpu::Context& context) {
+    options::withDevice(options.device, [&](gpu::Context& context) {
         print("{} ({} {}), nearest hits, seed {}\n\n", context.info().name, context.info().driverName,
               context.info().driverInfo, options.measure.seed);
-        cli::Progress progress("counting");
+        options::Progress progress("counting");
         const std::vector<GroupRow> rows =
             measureGroups(context, {options.measure.seed, options.measure.side}, costs,
                           [&](double part) { progress.show(part); });
@@ -83,7 +83,7 @@ std::vector<TimedMethod> methodsFor(gpu::Context& context, std::vector<TimedMeth
         std::string missing;
         if (method.needs == Needs::Float64 && !context.hasFloat64()) {
             missing = "has no shaderFloat64";
-        } else if (method.needs == Needs::FusedFma && !render::fusesFma(context)) {
+        } else if (method.needs == Needs::FusedFma && !trace::fusesFma(context)) {
             missing = "has an fma() that rounds twice";
         }
         if (!missing.empty()) {
@@ -98,7 +98,7 @@ BenchRun measureAll(gpu::Context& context, const BenchOptions& options) {
     BenchRun run{describeMachine(context), options.measure.seed, options.measure.rounds, {}};
     print("{}\nseed {}, {} rounds\n", machineText(run.machine), run.seed, run.rounds);
     Measurer measurer(context, methodsFor(context, options.methods), options.measure);
-    cli::Progress progress("timing");
+    options::Progress progress("timing");
     for (std::size_t i = 0; i < options.workloads.size(); ++i) {
         const auto show = [&](double part) {
             progress.show((static_cast<double>(i) + part) / static_cast<double>(options.workloads.size()));
@@ -120,7 +120,7 @@ ExitCode measure(const BenchOptions& options) {
     const std::unique_ptr<OutputFile> json = openOutput(options.json);
     const std::unique_ptr<OutputFile> html = openOutput(options.html);
     std::vector<std::string> faults;
-    cli::withDevice(options.device, [&](gpu::Context& context) {
+    options::withDevice(options.device, [&](gpu::Context& context) {
         const BenchRun run = measureAll(context, options);
         print("\n{}\n{}", steadinessText(run), summaryText(run));
         const std::vector<Bar> bars = measureBars(run);
@@ -155,7 +155,7 @@ ExitCode run(const BenchOptions& options) {
 
 int main(int argc, char** argv) {
     using namespace raytorus;
-    return cli::exitStatus(cli::runProgram(bench::programName, [&] {
+    return options::exitStatus(options::runProgram(bench::programName, [&] {
         const auto options = bench::parseOptions({argv + 1, argv + argc});
         return options ? bench::run(*options) : ExitCode::Ok;
     }));

@@ -23,21 +23,20 @@ Measurer::Measurer(gpu::Context& deviceContext, std::vector<TimedMethod> chosen,
       options(measureOptions),
       kernel(deviceContext, measureOptions.side) {}
 
-std::vector<CellResult> Measurer::measure(const Workload& workload, std::span<const render::Query> queries,
+std::vector<CellResult> Measurer::measure(const Workload& workload, std::span<const trace::Query> queries,
                                           const std::function<void(double)>& progress) {
     const reference::Torus torus = workload.torus();
     kernel.forgetPipelines();  // so that no method has bad luck in every workload
     const View view = aimedView(kernel, workload, options.seed);
-    const std::vector<render::TraceRay> rays = kernel.rays(workload.pattern, view);
+    const std::vector<trace::TraceRay> rays = kernel.rays(workload.pattern, view);
     Truths truths(torus, rays);
     std::optional<Stream> stream;
     if (workload.mode == Mode::Streamed) {
-        const std::size_t room =
-            render::Tracer::maxCapacity(*context, render::Query::All) / kernel.rayCount();
+        const std::size_t room = trace::Tracer::maxCapacity(*context, trace::Query::All) / kernel.rayCount();
         stream.emplace(*context, torus, rays, std::clamp<std::size_t>(room, 1, streamCopies));
     }
     std::vector<CellResult> results;
-    for (const render::Query query : queries) {
+    for (const trace::Query query : queries) {
         results.push_back(
             measureQuery(workload, query, view, truths, stream ? &*stream : nullptr, [&](double part) {
                 if (progress) {
@@ -57,7 +56,7 @@ std::uint32_t Measurer::layersFor(double secondsOfOne) const {
     return static_cast<std::uint32_t>(std::clamp(wanted, 1.0, double{mostLayers}));
 }
 
-CellResult Measurer::measureQuery(const Workload& workload, render::Query query, const View& view,
+CellResult Measurer::measureQuery(const Workload& workload, trace::Query query, const View& view,
                                   Truths& truths, Stream* stream,
                                   const std::function<void(double)>& progress) {
     CellResult cell{workload, query, truths.hitPart(), kernel.rayCount(), {}};

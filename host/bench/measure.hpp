@@ -26,11 +26,11 @@ public:
 
     /// Aims the workload's rays, holds every method's answers to the truth, then times them. `progress` hears
     /// the part that is done, 0 to 1, of this workload.
-    std::vector<CellResult> measure(const Workload& workload, std::span<const render::Query> queries,
+    std::vector<CellResult> measure(const Workload& workload, std::span<const trace::Query> queries,
                                     const std::function<void(double)>& progress = {});
 
 private:
-    CellResult measureQuery(const Workload& workload, render::Query query, const View& view, Truths& truths,
+    CellResult measureQuery(const Workload& workload, trace::Query query, const View& view, Truths& truths,
                             Stream* stream, const std::function<void(double)>& progress);
     [[nodiscard]] std::uint32_t layersFor(double secondsOfOne) const;
 

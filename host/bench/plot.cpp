@@ -30,8 +30,7 @@ struct Mark {
     std::string title;
 };
 
-std::vector<Mark> marksOf(const BenchRun& run, render::Query query, Pattern pattern,
-                          const std::string& name) {
+std::vector<Mark> marksOf(const BenchRun& run, trace::Query query, Pattern pattern, const std::string& name) {
     std::vector<Mark> marks;
     for (const CellResult& cell : run.cells) {
         const MethodResult* method = findMethod(cell, name);
@@ -121,7 +120,7 @@ std::string laneText(const Axis& axis, const std::vector<Mark>& marks, const cha
 
 }  // namespace
 
-std::string ratioPlot(const BenchRun& run, render::Query query) {
+std::string ratioPlot(const BenchRun& run, trace::Query query) {
     struct Row {
         std::string name;
         std::array<std::vector<Mark>, 2> lanes;

@@ -12,6 +12,6 @@ namespace raytorus::bench {
 /// time over the library's (logarithmic), a line at the geometric mean, and that as a number. Crosses are
 /// workloads on which more than one answer in a thousand was wrong. Colours follow the page's custom
 /// properties (html.cpp).
-std::string ratioPlot(const BenchRun& run, render::Query query);
+std::string ratioPlot(const BenchRun& run, trace::Query query);
 
 }  // namespace raytorus::bench

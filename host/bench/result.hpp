@@ -23,7 +23,7 @@ struct MethodResult {
 /// One workload and one query: the methods side by side.
 struct CellResult {
     Workload workload;
-    render::Query query = render::Query::Nearest;
+    trace::Query query = trace::Query::Nearest;
     double hitPart = 0.0;  ///< of the rays, measured
     std::size_t rays = 0;  ///< different ones
     std::vector<MethodResult> methods;

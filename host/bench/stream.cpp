@@ -19,20 +19,20 @@ struct PushConstants {
 }  // namespace
 
 Stream::Stream(gpu::Context& deviceContext, const reference::Torus& streamedTorus,
-               std::span<const render::TraceRay> rays, std::size_t copies)
+               std::span<const trace::TraceRay> rays, std::size_t copies)
     : context(&deviceContext),
       torus(streamedTorus),
       countOfOne(rays.size()),
       count(rays.size() * copies),
       stopwatch(deviceContext),
-      rayBuffer(deviceContext, count * sizeof(render::TraceRay), gpu::BufferUse::Storage),
+      rayBuffer(deviceContext, count * sizeof(trace::TraceRay), gpu::BufferUse::Storage),
       hitBuffer(deviceContext, count * TRACE_ALL_FLOATS * sizeof(float), gpu::BufferUse::ReadBack) {
     for (std::size_t copy = 0; copy < copies; ++copy) {
         std::memcpy(rayBuffer.data() + copy * rays.size_bytes(), rays.data(), rays.size_bytes());
     }
 }
 
-Shot Stream::time(const TimedMethod& method, render::Query query) {
+Shot Stream::time(const TimedMethod& method, trace::Query query) {
     const std::pair key{method.name, queryConstant(query)};
     if (!pipelines.contains(key)) {
         gpu::PipelineLayoutInfo info;
@@ -48,7 +48,7 @@ Shot Stream::time(const TimedMethod& method, render::Query query) {
         pipelines.emplace(key, std::move(made));
     }
     const gpu::Pipeline& chosen = pipelines.at(key);
-    const std::span<float> words = hitBuffer.as<float>().first(count * render::hitFloats(query));
+    const std::span<float> words = hitBuffer.as<float>().first(count * trace::hitFloats(query));
     // What an earlier run has left must not pass for this one's.
     std::ranges::fill(words, 0.0F);
     const PushConstants constants{torus.majorRadius, torus.minorRadius, static_cast<std::uint32_t>(count)};
@@ -59,7 +59,7 @@ Shot Stream::time(const TimedMethod& method, render::Query query) {
         vkCmdDispatch(commands, (constants.count + TRACE_GROUP_SIZE - 1) / TRACE_GROUP_SIZE, 1, 1);
         gpu::bufferBarrier(commands, hitBuffer, gpu::shaderWrite, gpu::hostRead);
     });
-    const std::size_t floatsOfOne = countOfOne * render::hitFloats(query);
+    const std::size_t floatsOfOne = countOfOne * trace::hitFloats(query);
     const std::span<const float> first = words.first(floatsOfOne);
     shot.checksum = checksumOf(first);
     for (std::size_t at = floatsOfOne; at < words.size(); at += floatsOfOne) {
@@ -69,8 +69,8 @@ Shot Stream::time(const TimedMethod& method, render::Query query) {
     return shot;
 }
 
-std::vector<float> Stream::answers(render::Query query) const {
-    const std::size_t stored = render::hitFloats(query);
+std::vector<float> Stream::answers(trace::Query query) const {
+    const std::size_t stored = trace::hitFloats(query);
     const std::size_t wanted = answerFloats(query);
     const std::span<const float> words = hitBuffer.as<const float>();
     std::vector<float> result;

@@ -10,16 +10,16 @@ namespace raytorus::bench {
 class Stream {
 public:
     /// The rays again and again, `copies` times.
-    Stream(gpu::Context& context, const reference::Torus& torus, std::span<const render::TraceRay> rays,
+    Stream(gpu::Context& context, const reference::Torus& torus, std::span<const trace::TraceRay> rays,
            std::size_t copies);
 
     [[nodiscard]] std::size_t rayCount() const { return count; }
 
     /// Answers all rays once.
-    Shot time(const TimedMethod& method, render::Query query);
+    Shot time(const TimedMethod& method, trace::Query query);
 
     /// What the last run has answered to the rays of one copy, as Kernel::answers has it.
-    [[nodiscard]] std::vector<float> answers(render::Query query) const;
+    [[nodiscard]] std::vector<float> answers(trace::Query query) const;
 
 private:
     gpu::Context* context;

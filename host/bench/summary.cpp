@@ -13,7 +13,7 @@
 namespace raytorus::bench {
 namespace {
 
-using render::Query;
+using trace::Query;
 
 constexpr double wideSpread = 1.1;
 

@@ -25,7 +25,7 @@
 namespace raytorus::bench {
 namespace {
 
-using render::ShaderSource;
+using trace::ShaderSource;
 
 std::vector<TimedMethod> makeTable() {
     return {

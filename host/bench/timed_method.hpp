@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "render/shader_source.hpp"
+#include "trace/shader_source.hpp"
 
 namespace raytorus::bench {
 
@@ -16,7 +16,7 @@ enum class Needs { Nothing, Float64, FusedFma };
 struct TimedMethod {
     std::string name;
     std::string description;
-    render::ShaderSource shaders;  ///< bench.comp, one_ray.comp and trace.comp
+    trace::ShaderSource shaders;  ///< bench.comp, one_ray.comp and trace.comp
     Needs needs = Needs::Nothing;
 };
 

@@ -22,13 +22,13 @@ std::string Workload::name() const {
                        distance == nearDistance ? "near" : "far", hitPercent);
 }
 
-std::string nameOf(render::Query query) {
+std::string nameOf(trace::Query query) {
     switch (query) {
-        case render::Query::Any:
+        case trace::Query::Any:
             return "any";
-        case render::Query::All:
+        case trace::Query::All:
             return "all";
-        case render::Query::Nearest:
+        case trace::Query::Nearest:
             break;
     }
     return "nearest";

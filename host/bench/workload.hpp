@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "reference/torus_reference.hpp"
-#include "render/tracer.hpp"
+#include "trace/tracer.hpp"
 
 namespace raytorus::bench {
 
@@ -31,9 +31,8 @@ struct Workload {
 };
 
 /// "nearest", "any", "all".
-std::string nameOf(render::Query query);
-inline constexpr render::Query allQueries[] = {render::Query::Nearest, render::Query::Any,
-                                               render::Query::All};
+std::string nameOf(trace::Query query);
+inline constexpr trace::Query allQueries[] = {trace::Query::Nearest, trace::Query::Any, trace::Query::All};
 
 /// Tiles and scattered rays; r/R of .01 .1 .25 .5 .9; near (3 R) and far (1000 R); 5, 30, 50 and 80 % hits.
 /// And a streamed one of each pattern.

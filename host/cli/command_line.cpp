@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "cli/command.hpp"
-#include "cli/program.hpp"
 #include "core/console.hpp"
+#include "options/program.hpp"
 
 namespace raytorus::cli {
 namespace {
@@ -40,11 +40,11 @@ std::string usageProblem(const CLI::App& app, const CLI::ParseError& error,
                          const std::vector<std::string>& arguments) {
     const auto type = static_cast<CLI::ExitCodes>(error.get_exit_code());
     const bool incomplete = type == CLI::ExitCodes::RequiredError || type == CLI::ExitCodes::ExtrasError;
-    const std::string unknown = incomplete ? unexpected(app, arguments) : "";
+    const std::string unknown = incomplete ? options::unexpected(app, arguments) : "";
     if (!unknown.empty() && arguments.front() != "--") {
         return unknown;
     }
-    const std::string missing = incomplete ? missingCommand(app) : "";
+    const std::string missing = incomplete ? options::missingCommand(app) : "";
     return missing.empty() ? error.what() : missing;
 }
 
@@ -77,14 +77,14 @@ ExitCode parseAndRun(const std::vector<std::string>& arguments) {
         throw Error(ExitCode::Usage,
                     fmt::format("{} (see {})", usageProblem(app, error, arguments), helpOf(app)));
     }
-    refuseEmptyWords(app);
+    options::refuseEmptyWords(app);
     return action();
 }
 
 }  // namespace
 
 ExitCode runCommandLine(const std::vector<std::string>& arguments) {
-    return runProgram("raytorus", [&arguments] { return parseAndRun(arguments); });
+    return options::runProgram("raytorus", [&arguments] { return parseAndRun(arguments); });
 }
 
 }  // namespace raytorus::cli

@@ -13,14 +13,14 @@
 #include <vector>
 
 #include "cli/command.hpp"
+#include "compare/compare.hpp"
+#include "compare/comparison_text.hpp"
+#include "compare/difference.hpp"
 #include "core/console.hpp"
 #include "core/parse_number.hpp"
-#include "image/compare.hpp"
-#include "image/comparison_text.hpp"
-#include "image/difference.hpp"
 #include "image/image_io.hpp"
 #include "image/manifest.hpp"
-#include "image/report.hpp"
+#include "report/report.hpp"
 
 namespace raytorus::cli {
 
@@ -29,7 +29,7 @@ namespace {
 struct CompareOptions {
     std::string expected;
     std::string actual;
-    image::CompareRules rules;
+    compare::CompareRules rules;
     std::string manifestPath;
     std::string differencePath;
     std::string reportFolder;
@@ -55,9 +55,9 @@ std::int64_t parseCount(const std::string& text) {
 }
 
 // "1e-4", or "4ulp".
-image::CompareRule parseRule(std::string text) {
+compare::CompareRule parseRule(std::string text) {
     constexpr std::string_view unit = "ulp";
-    image::CompareRule rule;
+    compare::CompareRule rule;
     if (text.ends_with(unit)) {
         text.resize(text.size() - unit.size());
         rule.ulps = notNegative<std::int64_t>(text, "A tolerance in ulps is a whole number");
@@ -68,7 +68,7 @@ image::CompareRule parseRule(std::string text) {
 }
 
 // "NAME=TOLERANCE". Split at the last '=': channel names may have one.
-void addChannelRule(image::CompareRules& rules, const std::string& text) {
+void addChannelRule(compare::CompareRules& rules, const std::string& text) {
     const std::size_t equals = text.rfind('=');
     if (equals == std::string::npos || equals == 0) {
         throw CLI::ValidationError(
@@ -104,19 +104,19 @@ void requireListed(const CompareOptions& options) {
 }
 
 void writeReport(const CompareOptions& options, const image::Image& expected, const image::Image& actual,
-                 const image::Comparison& comparison) {
+                 const compare::Comparison& comparison) {
     const std::string name = std::filesystem::path(options.actual).stem().string();
-    const image::ReportHeading heading = {"raytorus compare",
-                                          {{"expected", options.expected}, {"actual", options.actual}}};
-    image::writeReportFolder(options.reportFolder,
-                             std::vector{image::reportCase(name, expected, actual, comparison)}, heading);
+    const report::ReportHeading heading = {"raytorus compare",
+                                           {{"expected", options.expected}, {"actual", options.actual}}};
+    report::writeReportFolder(options.reportFolder,
+                              std::vector{report::reportCase(name, expected, actual, comparison)}, heading);
 }
 
-void printComparison(const CompareOptions& options, const image::Comparison& comparison) {
+void printComparison(const CompareOptions& options, const compare::Comparison& comparison) {
     if (options.json) {
-        print("{}\n", image::jsonText(comparison));
+        print("{}\n", compare::jsonText(comparison));
     } else {
-        print("{}{}\n", image::numbersTable(comparison), comparison.sentence);
+        print("{}{}\n", compare::numbersTable(comparison), comparison.sentence);
     }
 }
 
@@ -126,17 +126,17 @@ ExitCode runCompare(const CompareOptions& options) {
     const image::ImageFile expectedFile(options.expected);
     const image::ImageFile actualFile(options.actual);
     // Pictures that are not alike need not be decoded, and may be huge. A report shows them.
-    const auto unlike = image::compareShapes(expectedFile.header(), actualFile.header(), options.rules);
+    const auto unlike = compare::compareShapes(expectedFile.header(), actualFile.header(), options.rules);
     if (unlike && options.reportFolder.empty()) {
         printComparison(options, *unlike);
         return unlike->exitCode();
     }
     const image::Image expected = expectedFile.read();
     const image::Image actual = actualFile.read();
-    const image::Comparison comparison = image::compare(expected, actual, options.rules);
+    const compare::Comparison comparison = compare::compare(expected, actual, options.rules);
     printComparison(options, comparison);
-    if (!options.differencePath.empty() && comparison.verdict != image::Verdict::SizeDiffers) {
-        image::writeImage(options.differencePath, image::differenceImage(expected, actual, options.rules));
+    if (!options.differencePath.empty() && comparison.verdict != compare::Verdict::SizeDiffers) {
+        image::writeImage(options.differencePath, compare::differenceImage(expected, actual, options.rules));
     }
     if (!options.reportFolder.empty()) {
         writeReport(options, expected, actual, comparison);
@@ -167,7 +167,7 @@ is not the one in the manifest, 5 the command line is wrong, 12 an image holds N
 void addCompareCommand(CLI::App& app, Action& action) {
     CLI::App* const command = app.add_subcommand("compare", "Compare two image files (.exr, .png)");
     const auto options = std::make_shared<CompareOptions>();
-    image::CompareRules& rules = options->rules;
+    compare::CompareRules& rules = options->rules;
     command->footer(compareFooter);
     // An option whose text goes to `store`, which throws CLI::ValidationError for what it does not like.
     const auto addOption = [command](const std::string& name, const char* type, const std::string& help,

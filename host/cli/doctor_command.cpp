@@ -8,11 +8,11 @@
 #include <memory>
 
 #include "cli/command.hpp"
-#include "cli/device_options.hpp"
 #include "core/console.hpp"
 #include "gpu/context.hpp"
 #include "gpu/result.hpp"
-#include "render/fused_fma.hpp"
+#include "options/device_options.hpp"
+#include "trace/fused_fma.hpp"
 
 namespace raytorus::cli {
 namespace {
@@ -71,8 +71,8 @@ ExitCode runDoctor() {
     }
     const gpu::DeviceInfo chosen = gpu::pickDevice(devices, "");
     print("raytorus uses device {}, {}, unless --device says otherwise\n", chosen.index, chosen.name);
-    withDevice({}, [](gpu::Context& context) {
-        print("  its fma() {}\n", render::fusesFma(context)
+    options::withDevice({}, [](gpu::Context& context) {
+        print("  its fma() {}\n", trace::fusesFma(context)
                                       ? "rounds once: shaders may define TORUS_FUSED_FMA"
                                       : "rounds twice: shaders must not define TORUS_FUSED_FMA");
     });

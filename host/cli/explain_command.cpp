@@ -8,9 +8,6 @@
 #include <optional>
 
 #include "cli/command.hpp"
-#include "cli/device_options.hpp"
-#include "cli/number_text.hpp"
-#include "cli/option_text.hpp"
 #include "cli/pixel_option.hpp"
 #include "core/console.hpp"
 #include "core/file.hpp"
@@ -18,6 +15,9 @@
 #include "explain/json.hpp"
 #include "explain/svg.hpp"
 #include "explain/text.hpp"
+#include "options/device_options.hpp"
+#include "options/number_text.hpp"
+#include "options/option_text.hpp"
 
 namespace raytorus::cli {
 namespace {
@@ -47,13 +47,13 @@ struct ExplainCommand {
     std::string size;
     bool json = false;
     std::string svg;
-    DeviceOptions device;
+    options::DeviceOptions device;
 };
 
 // Numbers that are no torus or no ray are explained, but text that is no number is not.
 template <std::size_t Count>
 std::array<float, Count> numbersOf(const char* option, const char* what, const std::string& text) {
-    const std::optional<std::array<float, Count>> numbers = parseFloats<Count>(text);
+    const std::optional<std::array<float, Count>> numbers = options::parseFloats<Count>(text);
     if (!numbers) {
         throw Error(ExitCode::Usage, fmt::format("{} takes {}, not \"{}\"", option, what, text));
     }
@@ -63,7 +63,7 @@ std::array<float, Count> numbersOf(const char* option, const char* what, const s
 // sentence: what is to be said first, if anything.
 reference::TorusAndRay torusAndRay(const ExplainCommand& command, std::string& sentence) {
     if (!command.replay.empty()) {
-        return replayOption(command.replay);
+        return options::replayOption(command.replay);
     }
     if (!command.scene.empty()) {
         const explain::PixelRay found = pixelRay(command.scene, command.pixel, command.size);
@@ -79,7 +79,7 @@ reference::TorusAndRay torusAndRay(const ExplainCommand& command, std::string& s
         }
     }
     const auto [R, r] = numbersOf<2>("--torus", "the major and the minor radius as R,r", command.torus);
-    requireTorusInRange("--torus", {R, r}, command.torus);
+    options::requireTorusInRange("--torus", {R, r}, command.torus);
     const auto origin = numbersOf<3>("--origin", "a point as x,y,z", command.origin);
     const auto direction = numbersOf<3>("--direction", "a vector as x,y,z", command.direction);
     reference::TorusAndRay result{{R, r}, {}};
@@ -95,11 +95,11 @@ ExitCode runExplain(const ExplainCommand& command) {
     const auto [torus, ray] = torusAndRay(command, sentence);
     std::optional<OutputFile> picture;
     if (!command.svg.empty()) {
-        refuseToOverwrite("--svg", command.svg, command.scene);
+        options::refuseToOverwrite("--svg", command.svg, command.scene);
         picture.emplace(command.svg);
     }
     explain::Explanation explanation;
-    withDevice(command.device, [&, &torus = torus, &ray = ray](gpu::Context& context) {
+    options::withDevice(command.device, [&, &torus = torus, &ray = ray](gpu::Context& context) {
         explanation = explain::explain(context, torus, ray, command.device.shaders());
     });
     if (picture) {
@@ -145,7 +145,7 @@ void addExplainCommand(CLI::App& app, Action& action) {
     }
     sub->add_flag("--json", command->json, "Print one JSON object");
     sub->add_option("--svg", command->svg, "Draw the section and the quartic, too")->option_text("FILE");
-    addDeviceOptions(*sub, command->device);
+    options::addDeviceOptions(*sub, command->device);
     sub->footer(explainFooter);
     sub->callback([command, &action] { action = [command] { return runExplain(*command); }; });
 }

@@ -12,17 +12,18 @@
 #include <new>
 #include <span>
 
-#include "bench/methods/methods.hpp"
 #include "cli/command.hpp"
-#include "cli/device_options.hpp"
-#include "cli/number_checks.hpp"
-#include "cli/progress.hpp"
 #include "core/console.hpp"
+#include "core/output_file.hpp"
 #include "golden/file_group.hpp"
 #include "golden/golden_check.hpp"
 #include "golden/golden_folder.hpp"
 #include "golden/golden_options.hpp"
 #include "golden/golden_renew.hpp"
+#include "methods/methods.hpp"
+#include "options/device_options.hpp"
+#include "options/number_checks.hpp"
+#include "options/progress.hpp"
 
 namespace raytorus::cli {
 namespace {
@@ -45,7 +46,7 @@ struct GoldenCommand {
     std::string reason;
     float toleranceFactor = golden::CheckOptions().toleranceFactor;
     bool all = false;
-    DeviceOptions device;
+    options::DeviceOptions device;
 
     // Without --report: what is read there is not to be overwritten by a part of it.
     [[nodiscard]] golden::CheckOptions repeated() const {
@@ -102,7 +103,7 @@ public:
         : set(&goldens), shaders(command.device.shaders()), options(command.repeated()) {}
 
     void addAll(gpu::Context& context, std::span<const Drawing> drawings) {
-        Progress progress("checking");
+        options::Progress progress("checking");
         std::map<const Method*, render::PipelineStore> pipelines;
         // The pipelines take most of the time: they are made several at once, while pictures are drawn.
         for (const Drawing& drawing : drawings) {
@@ -129,21 +130,21 @@ public:
     }
 
     /// What is wrong with the folder, what was judged, and what was to be and was not.
-    [[nodiscard]] std::vector<image::ReportCase> reported(std::span<const Drawing> drawings) const {
-        std::vector<image::ReportCase> all = folder;
+    [[nodiscard]] std::vector<report::ReportCase> reported(std::span<const Drawing> drawings) const {
+        std::vector<report::ReportCase> all = folder;
         all.insert(all.end(), cases.begin(), cases.end());
         std::vector<std::string> labels;
         std::ranges::transform(drawings, std::back_inserter(labels), &Drawing::label);
-        std::ranges::move(image::skippedCases(labels, cases), std::back_inserter(all));
+        std::ranges::move(report::skippedCases(labels, cases), std::back_inserter(all));
         return all;
     }
 
     ExitCode exitCode = ExitCode::Ok;
-    std::vector<image::ReportCase> cases;
+    std::vector<report::ReportCase> cases;
     std::int64_t marginal = 0, flips = 0, failures = 0;
 
 private:
-    [[nodiscard]] const render::ShaderSource& shadersOf(const Drawing& drawing) const {
+    [[nodiscard]] const trace::ShaderSource& shadersOf(const Drawing& drawing) const {
         return drawing.method != nullptr ? drawing.method->shaders : shaders;
     }
 
@@ -152,7 +153,7 @@ private:
              std::map<const Method*, render::PipelineStore>& pipelines) {
         const auto start = std::chrono::steady_clock::now();
         golden::Checked checked = judged(context, drawing, pipelines[drawing.method]);
-        image::ReportCase& report = checked.report;
+        report::ReportCase& report = checked.report;
         report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         report.catches = drawing.row.catches;
         report.explainCommand = options.explainCommand(set->scene(drawing.row));
@@ -208,7 +209,7 @@ private:
             print("{}: {}\n", checked.report.name, checked.report.sentence);
         }
         if (checked.report.comparison) {
-            for (const image::MarginalPixels& margin : checked.report.comparison->margins) {
+            for (const compare::MarginalPixels& margin : checked.report.comparison->margins) {
                 marginal += margin.count;
                 flips += margin.flips;
             }
@@ -216,9 +217,9 @@ private:
     }
 
     const golden::Set* set;
-    render::ShaderSource shaders;
+    trace::ShaderSource shaders;
     golden::CheckOptions options;
-    std::vector<image::ReportCase> folder;
+    std::vector<report::ReportCase> folder;
 };
 
 ExitCode runCheck(const GoldenCommand& command) {
@@ -227,14 +228,14 @@ ExitCode runCheck(const GoldenCommand& command) {
     const std::vector<golden::Case> rows = chosenCases(set, command.names);
     Checking checking(set, command);
     if (!command.report.empty()) {
-        image::prepareReportFolder(command.report);
+        report::prepareReportFolder(command.report);
     }
     if (command.names.empty()) {
         checking.addFolder(golden::folderFaults(set));
     } else if (const std::string fault = golden::renewalFault(set); !fault.empty()) {
         checking.addFolder({fault});
     }
-    image::ReportHeading heading{"Golden pictures", {{"raytorus", std::string(version())}}};
+    report::ReportHeading heading{"Golden pictures", {{"raytorus", std::string(version())}}};
     if (command.toleranceFactor != 1.0F) {
         heading.facts.emplace_back("tolerance factor", fmt::format("{}", command.toleranceFactor));
     }
@@ -242,11 +243,11 @@ ExitCode runCheck(const GoldenCommand& command) {
     const auto report = [&](const char* fact, const std::string& text) {
         if (!command.report.empty()) {
             heading.facts.emplace_back(fact, text);
-            image::writeReportFolder(command.report, checking.reported(drawings), heading);
+            report::writeReportFolder(command.report, checking.reported(drawings), heading);
         }
     };
     try {
-        withDevice(command.device, [&](gpu::Context& context) {
+        options::withDevice(command.device, [&](gpu::Context& context) {
             heading.facts.emplace_back("device", context.info().name);
             heading.facts.emplace_back("driver", context.info().driverInfo);
             checking.addAll(context, drawings);
@@ -278,7 +279,7 @@ ExitCode runRenew(const GoldenCommand& command) {
     }
     std::vector<golden::Renewal> renewals;
     {
-        Progress progress("rendering");
+        options::Progress progress("rendering");
         renewals = golden::renew(set, rows, command.reason, [&](double done) { progress.show(done); });
     }
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -294,14 +295,14 @@ ExitCode runBits(const GoldenCommand& command) {
     golden::requireSound(set);
     requireWritable(set.bits());
     std::map<std::string, std::string> bits;
-    withDevice(command.device, [&](gpu::Context& context) {
+    options::withDevice(command.device, [&](gpu::Context& context) {
         if (context.info().type != "CPU") {
             throw Error(ExitCode::NoDevice,
                         fmt::format("{} promises no bits; a CPU does (--device)", context.info().name));
         }
-        Progress progress("drawing");
+        options::Progress progress("drawing");
         render::PipelineStore pipelines;
-        const render::ShaderSource shaders = command.device.shaders();
+        const trace::ShaderSource shaders = command.device.shaders();
         for (const golden::Case& row : set.cases()) {
             const image::Image picture =
                 golden::draw(context, set, row, render::Route::Fragment, shaders, &pipelines);
@@ -348,9 +349,9 @@ void addGoldenCommand(CLI::App& app, Action& action) {
     check
         .add_option("--tolerance-factor", command->toleranceFactor,
                     "Each tolerance times F, 1 to 1000, for a device that rounds so loosely")
-        ->check(decimalNumber(1.0, 1000.0))
+        ->check(options::decimalNumber(1.0, 1000.0))
         ->option_text("F [1]");
-    addDeviceOptions(check, command->device);
+    options::addDeviceOptions(check, command->device);
     CLI::App& renew = addSubcommand(*golden, action, command, "renew",
                                     "Make the truths of the named cases anew, by the reference", runRenew);
     renew.add_option("cases", command->names, "The cases")->option_text("CASE...");
@@ -364,7 +365,7 @@ void addGoldenCommand(CLI::App& app, Action& action) {
     bits.add_option("--reason", command->reason, "Why; kept beside them")
         ->required()
         ->option_text("TEXT REQUIRED");
-    addDeviceOptions(bits, command->device);
+    options::addDeviceOptions(bits, command->device);
 }
 
 }  // namespace raytorus::cli

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/command.hpp"
-#include "cli/program.hpp"
+#include "options/program.hpp"
 
 int main(int argc, char** argv) {
-    return raytorus::cli::exitStatus(raytorus::cli::runCommandLine({argv + 1, argv + argc}));
+    return raytorus::options::exitStatus(raytorus::cli::runCommandLine({argv + 1, argv + argc}));
 }

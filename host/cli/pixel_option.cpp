@@ -5,16 +5,16 @@
 
 #include <cmath>
 
-#include "cli/number_text.hpp"
-#include "cli/option_text.hpp"
 #include "core/error.hpp"
-#include "render/scene_json.hpp"
+#include "options/number_text.hpp"
+#include "options/option_text.hpp"
+#include "scene/scene_json.hpp"
 
 namespace raytorus::cli {
 namespace {
 
 std::pair<int, int> pixelOf(const std::string& text, int width, int height) {
-    const auto numbers = parsePair(text);
+    const auto numbers = options::parsePair(text);
     const auto isPixel = [](float number, int count) {
         return number >= 0.0F && number < static_cast<float>(count) && number == std::floor(number);
     };
@@ -28,9 +28,9 @@ std::pair<int, int> pixelOf(const std::string& text, int width, int height) {
 }  // namespace
 
 explain::PixelRay pixelRay(const std::string& scenePath, const std::string& pixel, const std::string& size) {
-    const render::Scene scene = render::readScene(scenePath);
+    const scene::Scene scene = scene::readScene(scenePath);
     const auto [width, height] =
-        size.empty() ? std::pair(scene.imageWidth, scene.imageHeight) : sizeOption(size);
+        size.empty() ? std::pair(scene.imageWidth, scene.imageHeight) : options::sizeOption(size);
     const auto [x, y] = pixelOf(pixel, width, height);
     explain::PixelRay result = explain::pixelRay(scene, width, height, x, y);
     result.sentence = fmt::format("pixel ({}, {}) of {}: {}", x, y, scenePath, result.sentence);

@@ -9,16 +9,16 @@
 #include <bit>
 #include <utility>
 
-#include "cli/number_text.hpp"
 #include "core/console.hpp"
 #include "core/error.hpp"
+#include "options/number_text.hpp"
 
 namespace raytorus::cli {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "raw files are little-endian");
 
-constexpr std::size_t rayFields = sizeof(render::TraceRay) / sizeof(float);
+constexpr std::size_t rayFields = sizeof(trace::TraceRay) / sizeof(float);
 
 std::string_view trimmed(std::string_view text) {
     constexpr std::string_view space = " \t\r";
@@ -68,13 +68,13 @@ char* writeValue(char* to, float value) {
     return fmt::format_to(to, FMT_COMPILE("{}"), value);
 }
 
-const char* csvHeader(render::Query query) {
+const char* csvHeader(trace::Query query) {
     switch (query) {
-        case render::Query::All:
+        case trace::Query::All:
             return "count,t0,t1,t2,t3,x0,y0,z0,x1,y1,z1,x2,y2,z2,x3,y3,z3\n";
-        case render::Query::Any:
+        case trace::Query::Any:
             return "hit\n";
-        case render::Query::Nearest:
+        case trace::Query::Nearest:
             break;
     }
     return "hit,t,x,y,z,normalX,normalY,normalZ\n";
@@ -95,17 +95,17 @@ RayReader::RayReader(const std::filesystem::path& rayPath, RayFormat rayFormat)
     }
     raw.emplace(rayPath);
     size = raw->size();
-    if (size % sizeof(render::TraceRay) != 0) {
+    if (size % sizeof(trace::TraceRay) != 0) {
         throw Error(
             ExitCode::File,
             fmt::format(
                 "\"{}\" holds {} bytes, no whole number of rays of {} bytes (8 float32: origin, tMin, "
                 "direction, tMax)",
-                path.string(), size, sizeof(render::TraceRay)));
+                path.string(), size, sizeof(trace::TraceRay)));
     }
 }
 
-std::size_t RayReader::read(std::span<render::TraceRay> room) {
+std::size_t RayReader::read(std::span<trace::TraceRay> room) {
     return format == RayFormat::Raw ? readRaw(room) : readCsv(room);
 }
 
@@ -113,9 +113,9 @@ double RayReader::done() const {
     return size > 0 ? static_cast<double>(position) / static_cast<double>(size) : 1.0;
 }
 
-std::size_t RayReader::readRaw(std::span<render::TraceRay> room) {
+std::size_t RayReader::readRaw(std::span<trace::TraceRay> room) {
     const std::size_t count =
-        std::min<std::uint64_t>(room.size(), (size - position) / sizeof(render::TraceRay));
+        std::min<std::uint64_t>(room.size(), (size - position) / sizeof(trace::TraceRay));
     const std::span<std::byte> bytes = std::as_writable_bytes(room.first(count));
     if (raw->read(bytes) < bytes.size()) {
         throw Error(ExitCode::File, fmt::format("\"{}\" ended while it was being read", path.string()));
@@ -124,7 +124,7 @@ std::size_t RayReader::readRaw(std::span<render::TraceRay> room) {
     return count;
 }
 
-std::size_t RayReader::readCsv(std::span<render::TraceRay> room) {
+std::size_t RayReader::readCsv(std::span<trace::TraceRay> room) {
     std::size_t count = 0;
     while (count < room.size()) {
         const std::optional<std::string_view> line = lines->next();
@@ -142,7 +142,7 @@ void RayReader::failLine(std::string_view what) const {
 }
 
 // False: the line holds no ray and needs none.
-bool RayReader::readLine(std::string_view line, render::TraceRay& ray) {
+bool RayReader::readLine(std::string_view line, trace::TraceRay& ray) {
     std::string_view content = trimmed(line);
     constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";  // spreadsheets write one
     if (lines->number() == 1 && content.starts_with(byteOrderMark)) {
@@ -161,19 +161,19 @@ bool RayReader::readLine(std::string_view line, render::TraceRay& ray) {
     }
     std::array<float, rayFields> values{};
     for (std::size_t i = 0; i < rayFields; ++i) {
-        const std::optional<float> value = parseFloat(fields.texts[i]);
+        const std::optional<float> value = options::parseFloat(fields.texts[i]);
         if (!value) {
             failLine(fmt::format("column {}, {}: \"{}\" is no float32 number", i + 1, columnNames[i],
                                  excerpt(fields.texts[i])));
         }
         values[i] = *value;
     }
-    ray = std::bit_cast<render::TraceRay>(values);
+    ray = std::bit_cast<trace::TraceRay>(values);
     return true;
 }
 
-HitWriter::HitWriter(const std::filesystem::path& path, RayFormat hitFormat, render::Query query)
-    : format(hitFormat), columns(render::hitFloats(query)), file(path) {
+HitWriter::HitWriter(const std::filesystem::path& path, RayFormat hitFormat, trace::Query query)
+    : format(hitFormat), columns(trace::hitFloats(query)), file(path) {
     if (format == RayFormat::Csv) {
         file.write(csvHeader(query));
     }

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/file.hpp"
-#include "render/tracer.hpp"
+#include "trace/tracer.hpp"
 
 namespace raytorus::cli {
 
@@ -28,15 +28,15 @@ public:
 
     /// Reads rays into `room`, in order, until it is full or the file ends, and returns how many. Throws
     /// Error{File} that names the line or the byte.
-    std::size_t read(std::span<render::TraceRay> room);
+    std::size_t read(std::span<trace::TraceRay> room);
 
     /// The part of the file that was read, 0 to 1.
     [[nodiscard]] double done() const;
 
 private:
-    std::size_t readRaw(std::span<render::TraceRay> room);
-    std::size_t readCsv(std::span<render::TraceRay> room);
-    bool readLine(std::string_view line, render::TraceRay& ray);
+    std::size_t readRaw(std::span<trace::TraceRay> room);
+    std::size_t readCsv(std::span<trace::TraceRay> room);
+    bool readLine(std::string_view line, trace::TraceRay& ray);
 
     [[noreturn]] void failLine(std::string_view what) const;
 
@@ -53,7 +53,7 @@ private:
 /// decimals that give the same float32.
 class HitWriter {
 public:
-    HitWriter(const std::filesystem::path& path, RayFormat format, render::Query query);
+    HitWriter(const std::filesystem::path& path, RayFormat format, trace::Query query);
 
     void write(std::span<const float> hits);
     void commit() { file.commit(); }

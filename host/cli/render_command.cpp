@@ -7,21 +7,21 @@
 #include <memory>
 
 #include "cli/command.hpp"
-#include "cli/device_options.hpp"
-#include "cli/frame_options.hpp"
-#include "cli/method_option.hpp"
-#include "cli/number_checks.hpp"
-#include "cli/number_text.hpp"
-#include "cli/option_text.hpp"
 #include "cli/picture_writer.hpp"
-#include "cli/progress.hpp"
 #include "cli/render_stats.hpp"
 #include "core/console.hpp"
 #include "core/file.hpp"
 #include "image/image_io.hpp"
+#include "options/device_options.hpp"
+#include "options/frame_options.hpp"
+#include "options/method_option.hpp"
+#include "options/number_checks.hpp"
+#include "options/number_text.hpp"
+#include "options/option_text.hpp"
+#include "options/progress.hpp"
 #include "render/renderer.hpp"
-#include "render/scene_animation.hpp"
-#include "render/scene_json.hpp"
+#include "scene/scene_animation.hpp"
+#include "scene/scene_json.hpp"
 #include "truth/truth.hpp"
 
 namespace raytorus::cli {
@@ -49,11 +49,11 @@ struct RenderCommand {
     std::string samples = "1";
     std::string route = "fragment";
     std::string stats;
-    FrameOptions frames;
+    options::FrameOptions frames;
     render::RenderOptions options;
     std::string method;
     bool exact = false;  // by the reference
-    DeviceOptions device;
+    options::DeviceOptions device;
 };
 
 // Seconds since the last call.
@@ -93,10 +93,10 @@ void requireFinite(const image::Image& picture) {
 
 void readOptions(RenderCommand& command) {
     if (!command.size.empty()) {
-        std::tie(command.options.width, command.options.height) = sizeOption(command.size);
+        std::tie(command.options.width, command.options.height) = options::sizeOption(command.size);
     }
-    command.options.samplesPerSide = samplesOption(command.samples, 64);
-    command.options.route = routeOption(command.route);
+    command.options.samplesPerSide = options::samplesOption(command.samples, 64);
+    command.options.route = options::routeOption(command.route);
     if (!command.stats.empty() && command.stats != "text" && command.stats != "json") {
         throw Error(ExitCode::Usage, fmt::format("--stats takes text or json, not \"{}\"", command.stats));
     }
@@ -109,16 +109,16 @@ void readOptions(RenderCommand& command) {
     if (command.frames.sequence() && (!command.stats.empty() || command.options.repeats > 1)) {
         throw Error(ExitCode::Usage, "--stats and --repeat are for one picture, not for --frames");
     }
-    command.exact = isReference(command.method, command.device);
+    command.exact = options::isReference(command.method, command.device);
     if (command.exact && !command.stats.empty()) {
         throw Error(ExitCode::Usage, "--stats tells of a device, and --method reference has none");
     }
     if (!command.exact) {
-        command.options.shaders = shadersOf(command.method, command.device);
+        command.options.shaders = options::shadersOf(command.method, command.device);
     }
 }
 
-image::Image renderExactly(const render::Scene& scene, const render::RenderOptions& options) {
+image::Image renderExactly(const scene::Scene& scene, const render::RenderOptions& options) {
     const auto [width, height] = render::pictureSize(scene, options);
     truth::TruthOptions exact;
     exact.samplesPerSide = options.samplesPerSide;
@@ -127,34 +127,34 @@ image::Image renderExactly(const render::Scene& scene, const render::RenderOptio
     return truth::renderTruth(scene, width, height, exact);
 }
 
-using Draw = std::function<image::Image(const render::Scene&, const render::RenderOptions&)>;
+using Draw = std::function<image::Image(const scene::Scene&, const render::RenderOptions&)>;
 
 // Frame k is written while frame k + 1 is drawn.
-void renderFrames(const RenderCommand& command, const render::Scene& scene, const std::vector<Frame>& frames,
-                  const Draw& draw) {
-    Progress progress(fmt::format("rendering {} frames", frames.size()));
+void renderFrames(const RenderCommand& command, const scene::Scene& scene,
+                  const std::vector<options::Frame>& frames, const Draw& draw) {
+    options::Progress progress(fmt::format("rendering {} frames", frames.size()));
     PictureWriter writer(1, image::writeImage);
     render::RenderOptions options = command.options;
     for (std::size_t k = 0; k < frames.size(); ++k) {
         options.progress = [&](double done) {
             progress.show((static_cast<double>(k) + done) / static_cast<double>(frames.size()));
         };
-        image::Image picture = draw(render::sceneAt(scene, frames[k].seconds), options);
+        image::Image picture = draw(scene::sceneAt(scene, frames[k].seconds), options);
         requireFinite(picture);
         writer.write(frames[k].output, std::move(picture));
     }
     writer.finish();
 }
 
-void renderSequence(const RenderCommand& command, const render::Scene& scene,
-                    const std::vector<Frame>& frames) {
+void renderSequence(const RenderCommand& command, const scene::Scene& scene,
+                    const std::vector<options::Frame>& frames) {
     if (command.exact) {
         renderFrames(command, scene, frames, renderExactly);
         return;
     }
-    withDevice(command.device, [&](gpu::Context& context) {
+    options::withDevice(command.device, [&](gpu::Context& context) {
         render::PipelineStore pipelines;
-        renderFrames(command, scene, frames, [&](const render::Scene& moment, render::RenderOptions options) {
+        renderFrames(command, scene, frames, [&](const scene::Scene& moment, render::RenderOptions options) {
             options.pipelines = &pipelines;
             return render::render(context, moment, options).picture;
         });
@@ -168,10 +168,10 @@ struct Measured {
     RenderStats stats;
 };
 
-image::Image renderOnDevice(const RenderCommand& command, const render::Scene& scene,
+image::Image renderOnDevice(const RenderCommand& command, const scene::Scene& scene,
                             const render::RenderOptions& options, Measured& measured) {
     render::RenderResult result;
-    withDevice(command.device, [&](gpu::Context& context) {
+    options::withDevice(command.device, [&](gpu::Context& context) {
         measured.stats.instance = measured.watch.lap();
         measured.stats.device = context.info();
         result = render::render(context, scene, options);
@@ -181,12 +181,12 @@ image::Image renderOnDevice(const RenderCommand& command, const render::Scene& s
     return std::move(result.picture);
 }
 
-void renderPicture(const RenderCommand& command, const render::Scene& scene, Measured& measured) {
+void renderPicture(const RenderCommand& command, const scene::Scene& scene, Measured& measured) {
     RenderStats& stats = measured.stats;
     render::RenderOptions options = command.options;
     image::Image picture;
     {
-        Progress progress("rendering");
+        options::Progress progress("rendering");
         options.progress = [&progress](double done) { progress.show(done); };
         picture =
             command.exact ? renderExactly(scene, options) : renderOnDevice(command, scene, options, measured);
@@ -207,21 +207,21 @@ void renderPicture(const RenderCommand& command, const render::Scene& scene, Mea
 ExitCode runRender(RenderCommand command) {
     Measured measured;
     readOptions(command);
-    const std::vector<Frame> frames = framesOf(command.frames, command.output);
-    const render::Scene scene = render::readScene(command.scene);
+    const std::vector<options::Frame> frames = options::framesOf(command.frames, command.output);
+    const scene::Scene scene = scene::readScene(command.scene);
     if (command.frames.moves() && !scene.turntable) {
         throw Error(ExitCode::Usage,
                     fmt::format("{} has no animation, and so no other moments for --time and --frames",
                                 command.scene));
     }
     measured.stats.read = measured.watch.lap();
-    for (const Frame& frame : frames) {
+    for (const options::Frame& frame : frames) {
         requireWritable(frame.output);
     }
     if (command.frames.sequence()) {
         renderSequence(command, scene, frames);
     } else {
-        renderPicture(command, render::sceneAt(scene, frames.front().seconds), measured);
+        renderPicture(command, scene::sceneAt(scene, frames.front().seconds), measured);
     }
     return ExitCode::Ok;
 }
@@ -246,11 +246,11 @@ void addRenderCommand(CLI::App& app, Action& action) {
     sub->add_option("--stats", command->stats, "Print where the time went")->option_text("text|json");
     sub->add_option("--repeat", command->options.repeats,
                     "Render so many times and let --stats show the fastest, without what happens only once")
-        ->check(wholeNumber(1, 1000000))
+        ->check(options::wholeNumber(1, 1000000))
         ->option_text("N [1]");
-    addFrameOptions(*sub, command->frames);
-    addMethodOrReferenceOption(*sub, command->method);
-    addDeviceOptions(*sub, command->device);
+    options::addFrameOptions(*sub, command->frames);
+    options::addMethodOrReferenceOption(*sub, command->method);
+    options::addDeviceOptions(*sub, command->device);
     sub->footer(renderFooter);
     sub->callback([command, &action] { action = [command] { return runRender(*command); }; });
 }

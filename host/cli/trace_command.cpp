@@ -8,16 +8,16 @@
 #include <memory>
 
 #include "cli/command.hpp"
-#include "cli/device_options.hpp"
-#include "cli/method_option.hpp"
-#include "cli/number_text.hpp"
-#include "cli/option_text.hpp"
-#include "cli/progress.hpp"
 #include "cli/ray_batches.hpp"
 #include "cli/ray_file.hpp"
 #include "core/console.hpp"
-#include "render/tracer.hpp"
-#include "verify/reference_tracer.hpp"
+#include "options/device_options.hpp"
+#include "options/method_option.hpp"
+#include "options/number_text.hpp"
+#include "options/option_text.hpp"
+#include "options/progress.hpp"
+#include "trace/tracer.hpp"
+#include "truth/reference_tracer.hpp"
 
 namespace raytorus::cli {
 namespace {
@@ -49,13 +49,12 @@ struct TraceCommand {
     bool all = false;
     bool any = false;
     std::string method;
-    DeviceOptions device;
+    options::DeviceOptions device;
 };
 
-void traceExactly(BatchStages& stages,
-                  const std::function<std::size_t(std::span<render::TraceRay>)>& readInto,
-                  render::Query query, std::pair<float, float> radii) {
-    std::array<std::vector<render::TraceRay>, 2> rays;
+void traceExactly(BatchStages& stages, const std::function<std::size_t(std::span<trace::TraceRay>)>& readInto,
+                  trace::Query query, std::pair<float, float> radii) {
+    std::array<std::vector<trace::TraceRay>, 2> rays;
     std::array<std::vector<float>, 2> hits;
     stages.read = [&](std::size_t place) {
         rays[place].resize(exactBatchRays);
@@ -64,14 +63,14 @@ void traceExactly(BatchStages& stages,
     };
     stages.start = [](std::size_t, std::size_t) {};
     stages.finish = [&](std::size_t place) -> std::span<const float> {
-        hits[place] = verify::traceByReference(query, radii.first, radii.second, rays[place]);
+        hits[place] = truth::traceByReference(query, radii.first, radii.second, rays[place]);
         return hits[place];
     };
     runBatches(stages);
 }
 
 ExitCode runTrace(const TraceCommand& command) {
-    const auto radii = parsePair(command.torus);
+    const auto radii = options::parsePair(command.torus);
     if (!radii) {
         throw Error(
             ExitCode::Usage,
@@ -82,19 +81,19 @@ ExitCode runTrace(const TraceCommand& command) {
         throw Error(ExitCode::Usage,
                     fmt::format("--torus needs R >= 0 and r > 0, not \"{}\"", command.torus));
     }
-    requireTorusInRange("--torus", {majorRadius, minorRadius}, command.torus);
-    const render::Query query = command.all   ? render::Query::All
-                                : command.any ? render::Query::Any
-                                              : render::Query::Nearest;
-    const bool exact = isReference(command.method, command.device);
-    const render::ShaderSource shaders =
-        exact ? render::ShaderSource() : shadersOf(command.method, command.device);
-    refuseToOverwrite("--output", command.hits, command.rays);
+    options::requireTorusInRange("--torus", {majorRadius, minorRadius}, command.torus);
+    const trace::Query query = command.all   ? trace::Query::All
+                               : command.any ? trace::Query::Any
+                                             : trace::Query::Nearest;
+    const bool exact = options::isReference(command.method, command.device);
+    const trace::ShaderSource shaders =
+        exact ? trace::ShaderSource() : options::shadersOf(command.method, command.device);
+    options::refuseToOverwrite("--output", command.hits, command.rays);
     RayReader reader(command.rays, formatOf(command.rays));
     HitWriter writer(command.hits, formatOf(command.hits), query);
-    Progress progress("tracing");
+    options::Progress progress("tracing");
     BatchStages stages;
-    const auto readInto = [&](std::span<render::TraceRay> room) {
+    const auto readInto = [&](std::span<trace::TraceRay> room) {
         progress.show(reader.done());
         return reader.read(room);
     };
@@ -102,9 +101,9 @@ ExitCode runTrace(const TraceCommand& command) {
     if (exact) {
         traceExactly(stages, readInto, query, *radii);
     } else {
-        withDevice(command.device, [&](gpu::Context& context) {
-            const std::size_t batch = std::min(batchRays, render::Tracer::maxCapacity(context, query));
-            render::Tracer tracer(context, query, batch, shaders, 2);
+        options::withDevice(command.device, [&](gpu::Context& context) {
+            const std::size_t batch = std::min(batchRays, trace::Tracer::maxCapacity(context, query));
+            trace::Tracer tracer(context, query, batch, shaders, 2);
             stages.read = [&](std::size_t place) { return readInto(tracer.rays(place)); };
             stages.start = [&](std::size_t place, std::size_t count) {
                 tracer.start(place, majorRadius, minorRadius, count);
@@ -131,8 +130,8 @@ void addTraceCommand(CLI::App& app, Action& action) {
         ->option_text("R,r REQUIRED");
     CLI::Option* all = sub->add_flag("--all", command->all, "All hits of each ray, not only the nearest");
     sub->add_flag("--any", command->any, "Only whether there is a hit")->excludes(all);
-    addMethodOrReferenceOption(*sub, command->method);
-    addDeviceOptions(*sub, command->device);
+    options::addMethodOrReferenceOption(*sub, command->method);
+    options::addDeviceOptions(*sub, command->device);
     sub->footer(traceFooter);
     sub->callback([command, &action] { action = [command] { return runTrace(*command); }; });
 }

@@ -24,7 +24,7 @@ ExplainQuestion questionOf(const reference::Torus& torus, const reference::Ray& 
     return question;
 }
 
-ExplainAnswer ask(gpu::Context& context, const render::ShaderSource& shaders,
+ExplainAnswer ask(gpu::Context& context, const trace::ShaderSource& shaders,
                   const ExplainQuestion& question) {
     const gpu::Buffer input = gpu::makeBuffer(context, std::span(&question, 1), gpu::BufferUse::Storage);
     const ExplainAnswer nothing{};
@@ -96,7 +96,7 @@ Steps<float> stepsOf(const ExplainAnswer& answer) {
 
 }  // namespace
 
-void askDevice(gpu::Context& context, const render::ShaderSource& shaders, Explanation& explanation) {
+void askDevice(gpu::Context& context, const trace::ShaderSource& shaders, Explanation& explanation) {
     const ExplainAnswer answer = ask(context, shaders, questionOf(explanation.torus, explanation.ray));
     explanation.shader = stepsOf(answer);
     if (answer.found != 0) {

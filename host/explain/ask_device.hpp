@@ -4,12 +4,12 @@
 
 #include "explain/explanation.hpp"
 #include "gpu/context.hpp"
-#include "render/shader_source.hpp"
+#include "trace/shader_source.hpp"
 
 namespace raytorus::explain {
 
 /// Fills in `shader`, `nearest`, `occluded`, `hits` and `closedForm` for the torus and ray of the
 /// explanation.
-void askDevice(gpu::Context& context, const render::ShaderSource& shaders, Explanation& explanation);
+void askDevice(gpu::Context& context, const trace::ShaderSource& shaders, Explanation& explanation);
 
 }  // namespace raytorus::explain

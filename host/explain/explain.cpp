@@ -70,7 +70,7 @@ void judgeClosedForm(Explanation& e) {
 }  // namespace
 
 Explanation explain(gpu::Context& context, const reference::Torus& torus, const reference::Ray& ray,
-                    const render::ShaderSource& shaders) {
+                    const trace::ShaderSource& shaders) {
     Explanation e;
     e.torus = torus;
     e.ray = ray;

@@ -4,12 +4,12 @@
 
 #include "explain/explanation.hpp"
 #include "gpu/context.hpp"
-#include "render/shader_source.hpp"
+#include "trace/shader_source.hpp"
 
 namespace raytorus::explain {
 
 /// Any ten numbers are explained: bad input, NaN among it, by what the library answers to it.
 Explanation explain(gpu::Context& context, const reference::Torus& torus, const reference::Ray& ray,
-                    const render::ShaderSource& shaders = {});
+                    const trace::ShaderSource& shaders = {});
 
 }  // namespace raytorus::explain

@@ -6,20 +6,21 @@
 #include <bit>
 #include <limits>
 
-#include "render/pixel_ray.hpp"
+#include "scene/pack.hpp"
+#include "trace/pixel_ray.hpp"
 
 namespace raytorus::explain {
 
-PixelRay pixelRay(const render::Scene& scene, int width, int height, int x, int y) {
-    const render::TraceRay camera = render::cameraRay(render::makeFrame(scene, width, height), x, y);
+PixelRay pixelRay(const scene::Scene& scene, int width, int height, int x, int y) {
+    const trace::TraceRay camera = trace::cameraRay(scene::makeFrame(scene, width, height), x, y);
     PixelRay result;
     result.x = x;
     result.y = y;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < scene.tori.size(); ++i) {
-        const scene_io::SceneTorus placed = render::makeTorus(scene.tori[i], i);
+        const scene_io::SceneTorus placed = scene::makeTorus(scene.tori[i], i);
         const reference::Torus torus{placed.radii.x, placed.radii.y};
-        const auto ray = std::bit_cast<reference::Ray>(render::rayInFrame(placed, camera));
+        const auto ray = std::bit_cast<reference::Ray>(trace::rayInFrame(placed, camera));
         const reference::Intersections found = reference::intersect(torus, ray);
         const bool hit = found.count > 0;
         const double distance = hit ? reference::toDouble(found.hits[0].t)

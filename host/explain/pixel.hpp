@@ -5,7 +5,7 @@
 #include <string>
 
 #include "reference/torus_reference.hpp"
-#include "render/scene.hpp"
+#include "scene/scene.hpp"
 
 namespace raytorus::explain {
 
@@ -20,6 +20,6 @@ struct PixelRay {
 
 /// The ray through a pixel, and the torus that it hits first, or else the one that it passes nearest to. The
 /// scene has a torus; the pixel is counted from the upper left corner.
-PixelRay pixelRay(const render::Scene& scene, int width, int height, int x, int y);
+PixelRay pixelRay(const scene::Scene& scene, int width, int height, int x, int y);
 
 }  // namespace raytorus::explain

@@ -5,7 +5,7 @@
 
 #include "golden/golden_folder.hpp"
 #include "image/image_io.hpp"
-#include "render/scene_json.hpp"
+#include "scene/scene_json.hpp"
 
 namespace raytorus::golden {
 
@@ -28,9 +28,9 @@ void loosen(image::Image& truth, float factor) {
 }  // namespace
 
 void prepare(const gpu::Context& context, const Set& set, const Case& row, render::Route route,
-             const render::ShaderSource& shaders, render::PipelineStore& pipelines) {
+             const trace::ShaderSource& shaders, render::PipelineStore& pipelines) {
     try {
-        render::preparePipeline(context, pipelines, render::readScene(set.scene(row)),
+        render::preparePipeline(context, pipelines, scene::readScene(set.scene(row)),
                                 {route, row.samplesPerSide, shaders}, render::RenderOptions().aovs);
     } catch (const Error&) {
         return;
@@ -42,7 +42,7 @@ void requireSound(const Set& set) {
         throw Error(ExitCode::File, fault);
     }
     for (const Case& row : set.cases()) {
-        static_cast<void>(render::readScene(set.scene(row)));
+        static_cast<void>(scene::readScene(set.scene(row)));
         if (const std::string fault = truthFault(set, row); !fault.empty()) {
             throw Error(ExitCode::File, fault);
         }
@@ -50,13 +50,13 @@ void requireSound(const Set& set) {
 }
 
 image::Image draw(gpu::Context& context, const Set& set, const Case& row, render::Route route,
-                  const render::ShaderSource& shaders, render::PipelineStore* pipelines) {
+                  const trace::ShaderSource& shaders, render::PipelineStore* pipelines) {
     render::RenderOptions options;
     options.pipelines = pipelines;
     options.route = route;
     options.samplesPerSide = row.samplesPerSide;
     options.shaders = shaders;
-    return render::render(context, render::readScene(set.scene(row)), options).picture;
+    return render::render(context, scene::readScene(set.scene(row)), options).picture;
 }
 
 Checked check(const Set& set, const Case& row, const std::string& label, const image::Image& actual,
@@ -68,11 +68,11 @@ Checked check(const Set& set, const Case& row, const std::string& label, const i
         }
         image::Image expected = image::readImage(set.truth(row));
         loosen(expected, toleranceFactor);
-        image::CompareRules rules;
+        compare::CompareRules rules;
         rules.allowedPixels = allowedPixels;
-        image::Comparison comparison = image::compare(expected, actual, rules);
+        compare::Comparison comparison = compare::compare(expected, actual, rules);
         result.exitCode = comparison.exitCode();
-        result.report = image::reportCase(label, std::move(expected), actual, std::move(comparison));
+        result.report = report::reportCase(label, std::move(expected), actual, std::move(comparison));
     } catch (const Error& error) {
         result = unchecked(label, error.exitCode, error.what());
         result.report.actual = actual;

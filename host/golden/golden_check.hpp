@@ -8,15 +8,15 @@
 #include "core/error.hpp"
 #include "golden/golden_set.hpp"
 #include "gpu/context.hpp"
-#include "image/report.hpp"
 #include "render/renderer.hpp"
+#include "report/report.hpp"
 
 namespace raytorus::golden {
 
 /// Lets the pipeline that draw() will want be made ahead, by another thread. A scene that cannot be read is
 /// passed over: draw() says so when its turn comes.
 void prepare(const gpu::Context& context, const Set& set, const Case& row, render::Route route,
-             const render::ShaderSource& shaders, render::PipelineStore& pipelines);
+             const trace::ShaderSource& shaders, render::PipelineStore& pipelines);
 
 /// Throws the first fault that keeps the cases from being drawn and judged: of a scene, the manifest, a
 /// truth, a sidecar.
@@ -24,10 +24,10 @@ void requireSound(const Set& set);
 
 /// The picture of a case, all channels, as it is drawn now.
 image::Image draw(gpu::Context& context, const Set& set, const Case& row, render::Route route,
-                  const render::ShaderSource& shaders = {}, render::PipelineStore* pipelines = nullptr);
+                  const trace::ShaderSource& shaders = {}, render::PipelineStore* pipelines = nullptr);
 
 struct Checked {
-    image::ReportCase report;
+    report::ReportCase report;
     ExitCode exitCode = ExitCode::Ok;  ///< of the first gate that did not open
 };
 

@@ -15,13 +15,13 @@
 #include "core/sha256.hpp"
 #include "golden/file_group.hpp"
 #include "image/manifest.hpp"
-#include "render/json_node.hpp"
+#include "scene/json_node.hpp"
 
 namespace raytorus::golden {
 namespace {
 
 namespace fs = std::filesystem;
-using render::JsonNode;
+using scene::JsonNode;
 
 // What is wrong in these files is a fault of the file, wherever else such JSON may be a scene.
 void readJson(const fs::path& path, const std::function<void(const JsonNode&)>& read) {

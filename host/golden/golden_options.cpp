@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/shell_quote.hpp"
-#include "render/device_words.hpp"
+#include "trace/device_words.hpp"
 
 namespace raytorus::golden {
 namespace {
@@ -16,8 +16,8 @@ std::string folderOption(const std::string& folder) {
 }  // namespace
 
 std::string CheckOptions::checkCommand(const Case& row) const {
-    std::string text = "raytorus golden check " + row.name + folderOption(folder) +
-                       render::deviceWords(device, shaderFolder);
+    std::string text =
+        "raytorus golden check " + row.name + folderOption(folder) + trace::deviceWords(device, shaderFolder);
     if (toleranceFactor != CheckOptions().toleranceFactor) {
         text += fmt::format(" --tolerance-factor {}", toleranceFactor);
     }
@@ -29,13 +29,13 @@ std::string CheckOptions::renewCommand(const Case& row) const {
 }
 
 std::string CheckOptions::bitsCommand() const {
-    return "raytorus golden bits" + folderOption(folder) + render::deviceWords(device, shaderFolder) +
+    return "raytorus golden bits" + folderOption(folder) + trace::deviceWords(device, shaderFolder) +
            " --reason \"...\"";
 }
 
 std::string CheckOptions::explainCommand(const std::filesystem::path& scene) const {
     return "raytorus explain" + shellOption("--scene", scene.string()) +
-           render::deviceWords(device, shaderFolder) + " --pixel {x},{y}";
+           trace::deviceWords(device, shaderFolder) + " --pixel {x},{y}";
 }
 
 std::string listCommand(const std::filesystem::path& folder) {

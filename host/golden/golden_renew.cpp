@@ -14,7 +14,7 @@
 #include "golden/file_group.hpp"
 #include "image/image_codec.hpp"
 #include "image/manifest.hpp"
-#include "render/scene_json.hpp"
+#include "scene/scene_json.hpp"
 #include "truth/truth.hpp"
 
 namespace raytorus::golden {
@@ -34,7 +34,7 @@ int marginalPixels(const image::Image& truth) {
     return marginal;
 }
 
-void requireAgreement(const Case& row, const render::Scene& scene, const truth::TruthOptions& options) {
+void requireAgreement(const Case& row, const scene::Scene& scene, const truth::TruthOptions& options) {
     const auto found = truth::disagreements(scene, scene.imageWidth, scene.imageHeight, options);
     if (!found.empty()) {
         const truth::Disagreement& first = found.front();
@@ -50,7 +50,7 @@ void requireAgreement(const Case& row, const render::Scene& scene, const truth::
 // hashed.
 struct Task {
     const Case* row;
-    render::Scene scene;
+    scene::Scene scene;
     std::string hash;
 };
 
@@ -66,8 +66,8 @@ std::vector<Task> prepare(const Set& set, std::span<const Case> rows) {
     std::vector<Task> tasks;
     for (const Case& row : rows) {
         const std::string text = readTextFile(set.scene(row));
-        tasks.push_back({&row, render::parseScene(text, set.scene(row).string()),
-                         sha256(std::as_bytes(std::span(text)))});
+        tasks.push_back(
+            {&row, scene::parseScene(text, set.scene(row).string()), sha256(std::as_bytes(std::span(text)))});
         requireWritable(set.truth(row));
         requireWritable(set.sidecar(row));
     }

@@ -6,16 +6,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/methods/methods.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "golden/golden_options.hpp"
-#include "render/json_node.hpp"
+#include "methods/methods.hpp"
+#include "scene/json_node.hpp"
 
 namespace raytorus::golden {
 namespace {
 
-using render::JsonNode;
+using scene::JsonNode;
 
 constexpr int largestSamples = 4096;
 

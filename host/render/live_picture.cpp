@@ -38,7 +38,8 @@ void LivePicture::resize(VkExtent2D largest) {
     images = std::make_unique<Images>(*context, largest);
 }
 
-void LivePicture::setShaders(const Scene& scene, const ShaderSource& newShaders, Route newRoute) {
+void LivePicture::setShaders(const scene::Scene& scene, const trace::ShaderSource& newShaders,
+                             Route newRoute) {
     PipelineStore store;
     const SceneBuffers probe(*context, scene, 1, 1);
     const PictureDrawing attempt(*context, store, scene, probe, images->all, {1, 1},
@@ -62,7 +63,7 @@ void LivePicture::abandon() {
     }
 }
 
-void LivePicture::begin(const Scene& scene, const LiveRequest& wanted, bool sameTori) {
+void LivePicture::begin(const scene::Scene& scene, const LiveRequest& wanted, bool sameTori) {
     abandon();
     const auto width = static_cast<int>(wanted.extent.width);
     const auto height = static_cast<int>(wanted.extent.height);

@@ -36,11 +36,11 @@ public:
 
     /// Which shaders draw, by which route. Makes the pipeline that `scene` needs at once, and changes nothing
     /// if that throws.
-    void setShaders(const Scene& scene, const ShaderSource& shaders, Route route);
+    void setShaders(const scene::Scene& scene, const trace::ShaderSource& shaders, Route route);
 
     /// Starts a drawing and ends the one that is in the making. `sameTori`: tori and materials are those of
     /// the drawing before.
-    void begin(const Scene& scene, const LiveRequest& request, bool sameTori);
+    void begin(const scene::Scene& scene, const LiveRequest& request, bool sameTori);
 
     /// Draws for about so long. True: the drawing is complete, and images() are ready to be read by a compute
     /// shader.
@@ -69,7 +69,7 @@ private:
 
     gpu::Context* context;
     std::unique_ptr<Images> images;
-    ShaderSource shaders;
+    trace::ShaderSource shaders;
     Route route = Route::Fragment;
     PipelineStore pipelines;
     std::unique_ptr<SceneBuffers> buffers;

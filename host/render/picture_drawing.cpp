@@ -10,7 +10,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-gpu::PipelineLayoutInfo layoutInfo(const Scene& scene, const DrawingOptions& options, std::size_t images) {
+gpu::PipelineLayoutInfo layoutInfo(const scene::Scene& scene, const DrawingOptions& options,
+                                   std::size_t images) {
     gpu::PipelineLayoutInfo info;
     info.bindings = sceneBindings();
     info.specialization = {images > 1 ? 1U : 0U, static_cast<std::uint32_t>(options.samplesPerSide),
@@ -55,7 +56,7 @@ std::uint32_t nextBandRows(std::uint32_t rows, double seconds, double wanted) {
 
 }  // namespace
 
-void preparePipeline(const gpu::Context& context, PipelineStore& pipelines, const Scene& scene,
+void preparePipeline(const gpu::Context& context, PipelineStore& pipelines, const scene::Scene& scene,
                      const DrawingOptions& options, bool aovs) {
     const std::size_t images = PictureTargets::imageCount(aovs);
     const gpu::PipelineLayoutInfo info = layoutInfo(scene, options, images);
@@ -68,7 +69,7 @@ RouteOutput outputOf(Route route) {
                                     : RouteOutput{gpu::shaderWrite, VK_IMAGE_LAYOUT_GENERAL};
 }
 
-PictureDrawing::PictureDrawing(gpu::Context& gpuContext, PipelineStore& pipelines, const Scene& scene,
+PictureDrawing::PictureDrawing(gpu::Context& gpuContext, PipelineStore& pipelines, const scene::Scene& scene,
                                const SceneBuffers& buffers, const PictureTargets& pictureTargets,
                                VkExtent2D extent, const DrawingOptions& options)
     : context(&gpuContext),

@@ -9,7 +9,7 @@
 #include "render/picture_targets.hpp"
 #include "render/pipeline_store.hpp"
 #include "render/scene_buffers.hpp"
-#include "render/shader_source.hpp"
+#include "trace/shader_source.hpp"
 
 namespace raytorus::render {
 
@@ -17,7 +17,7 @@ namespace raytorus::render {
 struct DrawingOptions {
     Route route = Route::Fragment;
     int samplesPerSide = 1;
-    ShaderSource shaders;
+    trace::ShaderSource shaders;
 };
 
 /// How a route leaves the images that it has written.
@@ -37,14 +37,14 @@ struct Band {
 
 /// Lets the pipeline that such a drawing needs be made in another thread, for PictureDrawing to find it in
 /// the store. aovs: the geometric pictures too. The context is kept by reference.
-void preparePipeline(const gpu::Context& context, PipelineStore& pipelines, const Scene& scene,
+void preparePipeline(const gpu::Context& context, PipelineStore& pipelines, const scene::Scene& scene,
                      const DrawingOptions& options, bool aovs);
 
 class PictureDrawing {
 public:
     /// Draws into the upper left `extent` of the targets. Everything is kept by reference but the options,
     /// and lives as long as the drawing.
-    PictureDrawing(gpu::Context& context, PipelineStore& pipelines, const Scene& scene,
+    PictureDrawing(gpu::Context& context, PipelineStore& pipelines, const scene::Scene& scene,
                    const SceneBuffers& buffers, const PictureTargets& targets, VkExtent2D extent,
                    const DrawingOptions& options);
 

@@ -46,12 +46,12 @@ void drawPasses(PictureDrawing& drawing, const RenderOptions& options, RenderTim
 
 }  // namespace
 
-std::pair<int, int> pictureSize(const Scene& scene, const RenderOptions& options) {
+std::pair<int, int> pictureSize(const scene::Scene& scene, const RenderOptions& options) {
     return {options.width > 0 ? options.width : scene.imageWidth,
             options.height > 0 ? options.height : scene.imageHeight};
 }
 
-RenderResult render(gpu::Context& context, const Scene& scene, const RenderOptions& options) {
+RenderResult render(gpu::Context& context, const scene::Scene& scene, const RenderOptions& options) {
     const auto [width, height] = pictureSize(scene, options);
     const VkExtent2D extent{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
     RenderResult result;

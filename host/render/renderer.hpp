@@ -10,7 +10,7 @@
 #include "gpu/context.hpp"
 #include "image/image.hpp"
 #include "render/picture_drawing.hpp"
-#include "render/scene.hpp"
+#include "scene/scene.hpp"
 
 namespace raytorus::render {
 
@@ -21,13 +21,13 @@ struct RenderOptions {
     int samplesPerSide = 1;  ///< colour is the mean of a regular grid of n x n rays a pixel
     int repeats = 1;         ///< render so many times and report the fastest; the pictures are the same
     bool aovs = true;        ///< the geometric pictures too; see PictureTargets for the channels
-    ShaderSource shaders;
+    trace::ShaderSource shaders;
     PipelineStore* pipelines = nullptr;    ///< null: one is made, and goes
     std::function<void(double)> progress;  ///< called with the part done, in (0, 1]
 };
 
 /// Width and height of the picture: what the options say, or else the scene.
-std::pair<int, int> pictureSize(const Scene& scene, const RenderOptions& options);
+std::pair<int, int> pictureSize(const scene::Scene& scene, const RenderOptions& options);
 
 /// One pass over the picture, in seconds of wall time. The first band of rows is told apart because drivers
 /// that compile at the first use do so there.
@@ -55,6 +55,6 @@ struct RenderResult {
     RenderTimes times;
 };
 
-RenderResult render(gpu::Context& context, const Scene& scene, const RenderOptions& options);
+RenderResult render(gpu::Context& context, const scene::Scene& scene, const RenderOptions& options);
 
 }  // namespace raytorus::render

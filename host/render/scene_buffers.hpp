@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gpu/pipeline.hpp"
-#include "render/scene.hpp"
+#include "scene/scene.hpp"
 #include "scene_io.h"
 
 namespace raytorus::render {
@@ -15,17 +15,17 @@ namespace raytorus::render {
 /// storage buffers.
 enum class SceneStorage { Uniform = SCENE_STORAGE_UNIFORM, Buffer = SCENE_STORAGE_BUFFER };
 
-SceneStorage storageFor(const Scene& scene);
+SceneStorage storageFor(const scene::Scene& scene);
 
 /// The bindings of every picture shader that belong to the scene.
 std::vector<gpu::Binding> sceneBindings();
 
 class SceneBuffers {
 public:
-    SceneBuffers(const gpu::Context& context, const Scene& scene, int width, int height);
+    SceneBuffers(const gpu::Context& context, const scene::Scene& scene, int width, int height);
 
     /// Another camera, lights or size; the tori stay.
-    void setFrame(const Scene& scene, int width, int height);
+    void setFrame(const scene::Scene& scene, int width, int height);
 
     void bindTo(gpu::Pipeline& pipeline) const;
 
@@ -45,14 +45,5 @@ private:
     Array nodes;
     Array materials;
 };
-
-/// Camera, lights and sizes as the shaders read them.
-scene_io::SceneFrame makeFrame(const Scene& scene, int width, int height);
-
-/// One torus as the shaders read it. `index` is its place in the scene.
-scene_io::SceneTorus makeTorus(const TorusInstance& torus, std::size_t index);
-
-/// One material as the shaders read it.
-scene_io::SceneMaterial makeMaterial(const Material& material);
 
 }  // namespace raytorus::render

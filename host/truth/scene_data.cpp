@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "truth/scene_data.hpp"
 
-#include "render/scene_buffers.hpp"
+#include "scene/pack.hpp"
 
 namespace raytorus::truth {
 
-SceneData makeSceneData(const render::Scene& scene, int width, int height) {
+SceneData makeSceneData(const scene::Scene& scene, int width, int height) {
     SceneData data;
-    data.frame = render::makeFrame(scene, width, height);
+    data.frame = scene::makeFrame(scene, width, height);
     data.lights = static_cast<int>(scene.lights.size());
     data.tori.reserve(scene.tori.size());
     for (std::size_t i = 0; i < scene.tori.size(); ++i) {
-        data.tori.push_back(render::makeTorus(scene.tori[i], i));
+        data.tori.push_back(scene::makeTorus(scene.tori[i], i));
     }
     data.materials.reserve(scene.materials.size());
-    for (const render::Material& material : scene.materials) {
-        data.materials.push_back(render::makeMaterial(material));
+    for (const scene::Material& material : scene.materials) {
+        data.materials.push_back(scene::makeMaterial(material));
     }
     return data;
 }

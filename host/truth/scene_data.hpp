@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reference/torus_reference.hpp"
-#include "render/scene.hpp"
+#include "scene/scene.hpp"
 #include "truth/vectors.hpp"
 
 namespace raytorus::truth {
@@ -17,7 +17,7 @@ struct SceneData {
     std::vector<scene_io::SceneMaterial> materials;
 };
 
-SceneData makeSceneData(const render::Scene& scene, int width, int height);
+SceneData makeSceneData(const scene::Scene& scene, int width, int height);
 
 template <class Real>
 struct Ray {

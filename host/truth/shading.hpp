@@ -11,7 +11,7 @@
 namespace raytorus::truth {
 
 /// Which lights reach a point.
-using LightMask = std::bitset<render::maxLights>;
+using LightMask = std::bitset<scene::maxLights>;
 
 /// What a ray sees that hits nothing; also the ambient light a normal receives: from bottom at -z to top at
 /// +z.

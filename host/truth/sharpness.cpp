@@ -29,13 +29,13 @@ struct View {
     Vec3<double> hit{};  // in the torus' frame
     SurfacePoint<double> point{};
     Vec3<double> color{};
-    std::array<Clearance, render::maxLights> shadows{};  // of the lights that the surface faces
+    std::array<Clearance, scene::maxLights> shadows{};  // of the lights that the surface faces
 };
 
 // How much of a view changes.
 struct Spread {
     double t = 0.0, position = 0.0, normal = 0.0, u = 0.0, v = 0.0, color = 0.0;
-    std::array<double, render::maxLights> shadows{};
+    std::array<double, scene::maxLights> shadows{};
 
     void include(const View& exact, const View& displaced) {
         const auto grow = [](double& most, double change) { most = std::max(most, std::abs(change)); };

@@ -69,7 +69,7 @@ private:
 
 class Renderer {
 public:
-    Renderer(const render::Scene& scene, int width, int height, const TruthOptions& wanted)
+    Renderer(const scene::Scene& scene, int width, int height, const TruthOptions& wanted)
         : data(makeSceneData(scene, width, height)), options(wanted) {}
 
     void renderRow(image::Image& picture, int y) const {
@@ -160,7 +160,7 @@ private:
 
 }  // namespace
 
-image::Image renderTruth(const render::Scene& scene, int width, int height, const TruthOptions& options) {
+image::Image renderTruth(const scene::Scene& scene, int width, int height, const TruthOptions& options) {
     const std::vector<std::string> names = channelNames(options);
     const std::string problem = image::shapeProblem(width, height, names);
     if (!problem.empty()) {
@@ -193,7 +193,7 @@ image::Image renderTruth(const render::Scene& scene, int width, int height, cons
     return picture;
 }
 
-std::vector<Disagreement> disagreements(const render::Scene& scene, int width, int height,
+std::vector<Disagreement> disagreements(const scene::Scene& scene, int width, int height,
                                         const TruthOptions& options) {
     TruthOptions plain = options;
     plain.sharpness = false;

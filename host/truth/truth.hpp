@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "image/image.hpp"
-#include "render/scene.hpp"
+#include "scene/scene.hpp"
 
 namespace raytorus::truth {
 
@@ -30,7 +30,7 @@ struct TruthOptions {
 inline constexpr float largestMargin = 0x1p20F;
 
 /// Throws Error{ExitCode::OutOfMemory} for a picture that is too large.
-image::Image renderTruth(const render::Scene& scene, int width, int height, const TruthOptions& options);
+image::Image renderTruth(const scene::Scene& scene, int width, int height, const TruthOptions& options);
 
 /// A value for which the two precisions give different floats.
 struct Disagreement {
@@ -42,7 +42,7 @@ struct Disagreement {
 /// Where the reference disagrees with itself: values that differ between the precisions by more than 2^-22 of
 /// the larger, or 1e-9 where that is more. Doubles after the hit are right to some 1e-12, so only roundings
 /// to another float may differ, and a value that differs by more is wrong in one of them.
-std::vector<Disagreement> disagreements(const render::Scene& scene, int width, int height,
+std::vector<Disagreement> disagreements(const scene::Scene& scene, int width, int height,
                                         const TruthOptions& options);
 
 }  // namespace raytorus::truth

@@ -70,11 +70,11 @@ Bar exactBar(const Cell& cell) {
     // A tube as thin as the rounding of its place.
     bar.wrongPart = cell.minorRadius >= 1e-6F ? 0.0 : 3e-5;
     bar.positionP99 = 0x1p-24;
-    bar.positionMax = bar.surfaceMax = positionBound;
+    bar.positionMax = bar.surfaceMax = judge::positionBound;
     bar.tP99 = 0.55;  // half an ulp; the histogram's bins are a sixteenth wide
     // What G's own rounding, 2^-47 (R + r)^2, makes of a crossing as flat as clear ones are, of a slope of
     // 0.04 r, in ulp of (R + r) / 16, the shortest t that counts.
-    bar.tMax = tBound + 0x1p-47 / 0.04 / 0x1p-28 * (1.0 + cell.minorRadius) / cell.minorRadius;
+    bar.tMax = judge::tBound + 0x1p-47 / 0.04 / 0x1p-28 * (1.0 + cell.minorRadius) / cell.minorRadius;
     return bar;
 }
 
@@ -186,8 +186,8 @@ std::vector<std::string> brokenBars(const Cell& cell, const Statistics& statisti
                 fmt::format("{}: {} is {:.3g} {}, {:.3g} is allowed", name, what, value, unit, most));
         }
     };
-    const Histogram& position = statistics.position.histogram;
-    const Histogram& t = statistics.t.histogram;
+    const judge::Histogram& position = statistics.position.histogram;
+    const judge::Histogram& t = statistics.t.histogram;
     hold("p99 of the position error", position.quantile(0.99), bar.positionP99, "(R + r)");
     hold("the largest position error", position.max(), bar.positionMax, "(R + r)");
     hold("the largest distance from the surface", statistics.surface.histogram.max(), bar.surfaceMax,

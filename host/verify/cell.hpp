@@ -23,7 +23,7 @@ struct Cell {
     [[nodiscard]] bool needsPreciseTruth() const { return passesByMargin() || minorRadius < 1e-3F; }
     [[nodiscard]] reference::Torus torus() const { return {1.0F, minorRadius}; }
     /// From here on its rays are clear, in r: see isClear.
-    [[nodiscard]] double tangentMargin() const { return passesByMargin() ? margin : clearMargin; }
+    [[nodiscard]] double tangentMargin() const { return passesByMargin() ? margin : judge::clearMargin; }
     /// The ray of that number.
     [[nodiscard]] reference::Ray ray(std::uint64_t seed, std::uint64_t index) const;
     /// "camera", "grazing 1e-06..1e-05".

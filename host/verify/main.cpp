@@ -6,11 +6,11 @@
 #include <cstdio>
 #include <optional>
 
-#include "bench/methods/methods.hpp"
-#include "cli/program.hpp"
-#include "cli/progress.hpp"
 #include "core/console.hpp"
 #include "core/file.hpp"
+#include "methods/methods.hpp"
+#include "options/program.hpp"
+#include "options/progress.hpp"
 #include "verify/replay_text.hpp"
 #include "verify/verifier.hpp"
 #include "verify/verify_options.hpp"
@@ -21,7 +21,7 @@ namespace {
 std::vector<CellResult> verifyCells(Verifier& verifier, const VerifyOptions& options) {
     const std::vector<Cell> cells = chooseCells(options.cells);
     std::vector<CellResult> results;
-    cli::Progress progress("verifying");
+    options::Progress progress("verifying");
     for (const Cell& cell : cells) {
         const auto show = [&](std::uint64_t done) {
             progress.show((static_cast<double>(results.size()) +
@@ -47,7 +47,7 @@ std::vector<std::string> listFaults(const VerifyOptions& options, const std::vec
             print("{}\n", bar);
         }
         for (const Example& example : result.statistics.examples) {
-            print("  {}: {}\n", nameOf(example.fault),
+            print("  {}: {}\n", judge::nameOf(example.fault),
                   replayCommand(options.command(), example.torus, example.ray));
         }
         if (result.statistics.faultCount() == 0) {
@@ -95,13 +95,13 @@ ExitCode verifyAll(gpu::Context& context, Verifier& verifier, const VerifyOption
 
 ExitCode run(const VerifyOptions& options) {
     ExitCode code = ExitCode::Ok;
-    cli::withDevice(options.device, [&](gpu::Context& context) {
+    options::withDevice(options.device, [&](gpu::Context& context) {
         Verifier verifier(context, options.shaders, options.threads);
         if (options.replay) {
             const auto& [torus, ray] = *options.replay;
             const Verifier::Replay replay = verifier.replay(torus, ray);
             print("{}", replayText(torus, ray, replay));
-            code = replay.judgement.fault == Fault::None ? ExitCode::Ok : ExitCode::ComparisonFailed;
+            code = replay.judgement.fault == judge::Fault::None ? ExitCode::Ok : ExitCode::ComparisonFailed;
         } else {
             code = verifyAll(context, verifier, options);
         }
@@ -114,7 +114,7 @@ ExitCode run(const VerifyOptions& options) {
 
 int main(int argc, char** argv) {
     using namespace raytorus;
-    return cli::exitStatus(cli::runProgram(verify::programName, [&] {
+    return options::exitStatus(options::runProgram(verify::programName, [&] {
         const auto options = verify::parseOptions({argv + 1, argv + argc});
         return options ? verify::run(*options) : ExitCode::Ok;
     }));

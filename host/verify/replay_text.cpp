@@ -30,13 +30,13 @@ std::string replayText(const reference::Torus& torus, const reference::Ray& ray,
     for (int k = 0; k < replay.truth.count; ++k) {
         text += fmt::format("  {}\n", hitText(replay.truth.hits[static_cast<std::size_t>(k)]));
     }
-    const Answers& answers = replay.answers;
+    const judge::Answers& answers = replay.answers;
     const int count = static_cast<int>(answers.all.count);
     text += fmt::format("torusIntersectAll: {} hit(s)\n", count);
     for (int k = 0; k < count && k < 4; ++k) {
         text += fmt::format("  t {:.9g} at {}", answers.all.t[k], vectorText(answers.all.position[k]));
         if (k < replay.judgement.hitCount) {
-            const HitErrors& errors = replay.judgement.errors[static_cast<std::size_t>(k)];
+            const judge::HitErrors& errors = replay.judgement.errors[static_cast<std::size_t>(k)];
             text += fmt::format("; off by {:.3g} (R + r), {:.3g} ulp of t; {:.3g} (R + r) from the surface",
                                 errors.position, errors.t, errors.surface);
         }
@@ -46,7 +46,7 @@ std::string replayText(const reference::Torus& torus, const reference::Ray& ray,
                                                       vectorText(answers.nearest.position))
                                         : "torusIntersect: no hit\n";
     text += fmt::format("torusOccluded: {}\n", answers.any != 0.0F ? "yes" : "no");
-    text += fmt::format("verdict: {}\n", nameOf(replay.judgement.fault));
+    text += fmt::format("verdict: {}\n", judge::nameOf(replay.judgement.fault));
     return text;
 }
 

@@ -41,23 +41,24 @@ std::string heading(Rows rows) {
 }
 
 std::string rowText(const std::string& name, const Statistics& statistics) {
-    const Histogram& position = statistics.position.histogram;
-    const Histogram& t = statistics.t.histogram;
+    const judge::Histogram& position = statistics.position.histogram;
+    const judge::Histogram& t = statistics.t.histogram;
     const auto judged = static_cast<double>(statistics.judged());
     const double hitPart = judged > 0.0 ? 100.0 * static_cast<double>(statistics.hitting) / judged : 0.0;
-    return name + fmt::format(
-                      " {:>10} {:>5.1f} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} | {:>7.1e} {:>7.1e} {:>7.1e} | "
-                      "{:>5.2g} {:>5.2g} {:>6.3g}\n",
-                      statistics.judged(), hitPart, statistics.faultsOf(Fault::Missed),
-                      statistics.faultsOf(Fault::FalseHit), statistics.faultsOf(Fault::WrongCount),
-                      statistics.faultsOf(Fault::Order),
-                      statistics.faultsOf(Fault::Disagreement) + statistics.faultsOf(Fault::NonFinite),
-                      statistics.faultsOf(Fault::Gross), position.quantile(0.5), position.quantile(0.99),
-                      position.max(), t.quantile(0.5), t.quantile(0.99), t.max());
+    return name +
+           fmt::format(
+               " {:>10} {:>5.1f} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} | {:>7.1e} {:>7.1e} {:>7.1e} | "
+               "{:>5.2g} {:>5.2g} {:>6.3g}\n",
+               statistics.judged(), hitPart, statistics.faultsOf(judge::Fault::Missed),
+               statistics.faultsOf(judge::Fault::FalseHit), statistics.faultsOf(judge::Fault::WrongCount),
+               statistics.faultsOf(judge::Fault::Order),
+               statistics.faultsOf(judge::Fault::Disagreement) + statistics.faultsOf(judge::Fault::NonFinite),
+               statistics.faultsOf(judge::Fault::Gross), position.quantile(0.5), position.quantile(0.99),
+               position.max(), t.quantile(0.5), t.quantile(0.99), t.max());
 }
 
 ordered_json errorsJson(const Errors& errors) {
-    const Histogram& histogram = errors.histogram;
+    const judge::Histogram& histogram = errors.histogram;
     ordered_json json;
     json["count"] = histogram.count();
     for (const auto& [name, part] :
@@ -69,7 +70,7 @@ ordered_json errorsJson(const Errors& errors) {
         json["worst"] = reference::hexFloats(errors.worstTorus, errors.worstRay);
     }
     json["histogram"] = ordered_json::array();  // [upper end, count]
-    for (const Histogram::Bin& bin : histogram.bins()) {
+    for (const judge::Histogram::Bin& bin : histogram.bins()) {
         json["histogram"].push_back({bin.upperEnd, bin.count});
     }
     return json;
@@ -88,15 +89,15 @@ ordered_json cellJson(const CellResult& result, const std::string& command) {
     json["rays"] = statistics.rays;
     json["judged"] = statistics.judged();
     json["hitting"] = statistics.hitting;
-    for (std::size_t i = 1; i < faultKinds; ++i) {
-        json["faults"][nameOf(static_cast<Fault>(i))] = statistics.faults[i];
+    for (std::size_t i = 1; i < judge::faultKinds; ++i) {
+        json["faults"][judge::nameOf(static_cast<judge::Fault>(i))] = statistics.faults[i];
     }
     json["position"] = errorsJson(statistics.position);  // in R + r
     json["t"] = errorsJson(statistics.t);                // in ulp
     json["surface"] = errorsJson(statistics.surface);    // in R + r
     json["examples"] = ordered_json::array();
     for (const Example& example : statistics.examples) {
-        json["examples"].push_back({{"fault", nameOf(example.fault)},
+        json["examples"].push_back({{"fault", judge::nameOf(example.fault)},
                                     {"ray", reference::hexFloats(example.torus, example.ray)},
                                     {"replay", replayCommand(command, example.torus, example.ray)}});
     }

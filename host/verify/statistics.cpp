@@ -21,15 +21,15 @@ void Errors::merge(const Errors& other) {
 }
 
 void Statistics::add(const reference::Torus& torus, const reference::Ray& ray, bool hits,
-                     const Judgement& judgement) {
+                     const judge::Judgement& judgement) {
     ++rays;
     hitting += hits ? 1U : 0U;
     ++faults[static_cast<std::size_t>(judgement.fault)];
-    if (judgement.fault != Fault::None && examples.size() < maxExamples) {
+    if (judgement.fault != judge::Fault::None && examples.size() < maxExamples) {
         examples.push_back({judgement.fault, torus, ray});
     }
     for (int k = 0; k < judgement.hitCount; ++k) {
-        const HitErrors& errors = judgement.errors[static_cast<std::size_t>(k)];
+        const judge::HitErrors& errors = judgement.errors[static_cast<std::size_t>(k)];
         position.add(errors.position, torus, ray);
         t.add(errors.t, torus, ray);
         surface.add(errors.surface, torus, ray);
@@ -40,7 +40,7 @@ void Statistics::merge(const Statistics& other) {
     rays += other.rays;
     unclear += other.unclear;
     hitting += other.hitting;
-    for (std::size_t i = 0; i < faultKinds; ++i) {
+    for (std::size_t i = 0; i < judge::faultKinds; ++i) {
         faults[i] += other.faults[i];
     }
     for (const Example& example : other.examples) {

@@ -6,21 +6,21 @@
 #include <cstdint>
 #include <vector>
 
-#include "verify/histogram.hpp"
-#include "verify/judge.hpp"
+#include "judge/histogram.hpp"
+#include "judge/judge.hpp"
 
 namespace raytorus::verify {
 
 /// A ray to show, and why.
 struct Example {
-    Fault fault;
+    judge::Fault fault;
     reference::Torus torus;
     reference::Ray ray;
 };
 
 /// A distribution of errors, and the ray with the largest.
 struct Errors {
-    Histogram histogram;
+    judge::Histogram histogram;
     reference::Torus worstTorus{};
     reference::Ray worstRay{};
 
@@ -32,8 +32,8 @@ struct Statistics {
     std::uint64_t rays = 0;
     std::uint64_t unclear = 0;  ///< not judged: too near a tangent, or with an end too near the surface
     std::uint64_t hitting = 0;  ///< judged rays with at least one hit
-    std::array<std::uint64_t, faultKinds> faults{};  ///< by Fault; [None] counts the right ones
-    std::vector<Example> examples;                   ///< the first faults, at most `maxExamples`
+    std::array<std::uint64_t, judge::faultKinds> faults{};  ///< by Fault; [None] counts the right ones
+    std::vector<Example> examples;                          ///< the first faults, at most `maxExamples`
     Errors position;
     Errors t;
     Errors surface;
@@ -41,12 +41,13 @@ struct Statistics {
     static constexpr std::size_t maxExamples = 5;
 
     [[nodiscard]] std::uint64_t judged() const { return rays - unclear; }
-    [[nodiscard]] std::uint64_t faultsOf(Fault fault) const {
+    [[nodiscard]] std::uint64_t faultsOf(judge::Fault fault) const {
         return faults[static_cast<std::size_t>(fault)];
     }
-    [[nodiscard]] std::uint64_t faultCount() const { return judged() - faultsOf(Fault::None); }
+    [[nodiscard]] std::uint64_t faultCount() const { return judged() - faultsOf(judge::Fault::None); }
 
-    void add(const reference::Torus& torus, const reference::Ray& ray, bool hits, const Judgement& judgement);
+    void add(const reference::Torus& torus, const reference::Ray& ray, bool hits,
+             const judge::Judgement& judgement);
     void merge(const Statistics& other);
 };
 

@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-#include "verify/in_parallel.hpp"
+#include "core/in_parallel.hpp"
 
 namespace raytorus::verify {
 namespace {
@@ -15,30 +15,31 @@ constexpr std::size_t blockRays = std::size_t{1} << 16U;
 
 }  // namespace
 
-Verifier::Verifier(gpu::Context& context, const render::ShaderSource& shaders, unsigned wantedThreads)
+Verifier::Verifier(gpu::Context& context, const trace::ShaderSource& shaders, unsigned wantedThreads)
     : threads(wantedThreads > 0 ? wantedThreads : std::max(1U, std::thread::hardware_concurrency())),
       questions(context, blockRays, shaders) {}
 
 Statistics Verifier::judgeBlock(const Cell& cell, const std::vector<reference::Ray>& rays,
-                                const std::vector<Answers>& answers) const {
+                                const std::vector<judge::Answers>& answers) const {
     const reference::Torus torus = cell.torus();
-    const double endMargin = clearEndMargin(torus);
+    const double endMargin = judge::clearEndMargin(torus);
     Statistics total;
     std::mutex mutex;
     inParallel(threads, rays.size(), [&](std::size_t from, std::size_t to) {
         Statistics part;
         for (std::size_t i = from; i < to; ++i) {
             const reference::Ray& ray = rays[i];
-            Truth truth = cell.needsPreciseTruth() ? preciseTruth(torus, ray) : quickTruth(torus, ray);
-            if (!isClear(truth, cell.tangentMargin(), endMargin)) {
+            judge::Truth truth =
+                cell.needsPreciseTruth() ? judge::preciseTruth(torus, ray) : judge::quickTruth(torus, ray);
+            if (!judge::isClear(truth, cell.tangentMargin(), endMargin)) {
                 ++part.rays;
                 ++part.unclear;
                 continue;
             }
-            Judgement judgement = judge(torus, ray, truth, answers[i]);
-            if (judgement.fault != Fault::None) {  // it must stand before the arbiter
-                truth = arbiterTruth(torus, ray);
-                judgement = judge(torus, ray, truth, answers[i]);
+            judge::Judgement judgement = judge::judge(torus, ray, truth, answers[i]);
+            if (judgement.fault != judge::Fault::None) {  // it must stand before the arbiter
+                truth = judge::arbiterTruth(torus, ray);
+                judgement = judge::judge(torus, ray, truth, answers[i]);
             }
             part.add(torus, ray, truth.count > 0, judgement);
         }
@@ -71,7 +72,7 @@ Verifier::Replay Verifier::replay(const reference::Torus& torus, const reference
     Replay replay;
     replay.truth = reference::intersect(torus, ray);
     replay.answers = questions.ask(torus, {ray}).front();
-    replay.judgement = judge(torus, ray, arbiterTruth(torus, ray), replay.answers);
+    replay.judgement = judge::judge(torus, ray, judge::arbiterTruth(torus, ray), replay.answers);
     return replay;
 }
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <functional>
 
+#include "judge/queries.hpp"
 #include "verify/cell.hpp"
-#include "verify/questions.hpp"
 
 namespace raytorus::verify {
 
@@ -15,7 +15,7 @@ class Verifier {
 public:
     /// `shaders` may put another method in the place of trace.comp. `threads` of 0: as many as there are
     /// processors.
-    explicit Verifier(gpu::Context& context, const render::ShaderSource& shaders = {}, unsigned threads = 0);
+    explicit Verifier(gpu::Context& context, const trace::ShaderSource& shaders = {}, unsigned threads = 0);
 
     /// The rays 0 ... count - 1 of a cell. `progress`, if given, hears how many are done.
     Statistics verify(const Cell& cell, std::uint64_t seed, std::uint64_t count,
@@ -24,17 +24,17 @@ public:
     /// One ray, by the arbiter, however near a tangent.
     struct Replay {
         reference::Intersections truth;
-        Answers answers;
-        Judgement judgement;
+        judge::Answers answers;
+        judge::Judgement judgement;
     };
     Replay replay(const reference::Torus& torus, const reference::Ray& ray);
 
 private:
     Statistics judgeBlock(const Cell& cell, const std::vector<reference::Ray>& rays,
-                          const std::vector<Answers>& answers) const;
+                          const std::vector<judge::Answers>& answers) const;
 
     unsigned threads;
-    Questions questions;
+    judge::Queries questions;
 };
 
 }  // namespace raytorus::verify

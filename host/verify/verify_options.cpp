@@ -8,14 +8,14 @@
 #include <chrono>
 #include <cmath>
 
-#include "cli/method_option.hpp"
-#include "cli/number_checks.hpp"
-#include "cli/option_text.hpp"
-#include "cli/program.hpp"
 #include "core/error.hpp"
 #include "core/parse_number.hpp"
 #include "core/shell_quote.hpp"
-#include "render/device_words.hpp"
+#include "options/method_option.hpp"
+#include "options/number_checks.hpp"
+#include "options/option_text.hpp"
+#include "options/program.hpp"
+#include "trace/device_words.hpp"
 
 namespace raytorus::verify {
 namespace {
@@ -82,7 +82,7 @@ std::uint64_t seedOfToday() {
 
 std::string VerifyOptions::command() const {
     const std::string who = method == methods().front().name ? "" : shellOption("--method", method);
-    return programName + who + render::deviceWords(device.context, device.shaderFolder);
+    return programName + who + trace::deviceWords(device.context, device.shaderFolder);
 }
 
 std::optional<VerifyOptions> parseOptions(const std::vector<std::string>& arguments) {
@@ -100,42 +100,42 @@ std::optional<VerifyOptions> parseOptions(const std::vector<std::string>& argume
         ->option_text("NAME,...");
     app.add_option("--radius", options.cells.radii, "Minor radii; the major radius is 1")
         ->delimiter(',')
-        ->check(cli::decimalNumber(1e-7, 1e4))
+        ->check(options::decimalNumber(1e-7, 1e4))
         ->option_text("r,...");
     app.add_option("--distance", options.cells.distances, "Distances of the origins from the centre, in R")
         ->delimiter(',')
-        ->check(cli::decimalNumber(1.0, 1e12))
+        ->check(options::decimalNumber(1.0, 1e12))
         ->option_text("D,...");
     app.add_option("--rays", options.rays, "Rays a cell")
-        ->check(cli::wholeNumber(1, std::uint64_t{1} << 40U))
+        ->check(options::wholeNumber(1, std::uint64_t{1} << 40U))
         ->option_text("N [20000]");
     app.add_option("--seed", seed, "A whole number, for the same rays again; today: the date")
         ->option_text("N [today]");
     app.add_option("--rows", rows, "What the table keeps apart: class, radius, distance or cell (both)")
         ->option_text("KEY [radius]");
-    cli::addMethodOption(app, options.method);
+    options::addMethodOption(app, options.method);
     app.add_option("--json", options.json, "Everything, histograms and worst rays too, into a file")
         ->option_text("FILE");
     app.add_option("--replay", replay,
                    "Judge one ray, as failures print it: R r, origin, tMin, direction, tMax")
         ->option_text("\"10 NUMBERS\"");
     app.add_option("--threads", options.threads, "Threads of the reference")
-        ->check(cli::wholeNumber(1, 1024))
+        ->check(options::wholeNumber(1, 1024))
         ->option_text("N [all]");
     options.device.program = programName;
-    cli::addDeviceOptions(app, options.device);
-    if (!cli::parse(app, arguments)) {
+    options::addDeviceOptions(app, options.device);
+    if (!options::parse(app, arguments)) {
         return std::nullopt;
     }
     for (const std::string& name : classes) {
         options.cells.classes.push_back(parseClass(name));
     }
-    options.shaders = cli::shadersOf(options.method, options.device);
+    options.shaders = options::shadersOf(options.method, options.device);
     options.rows = rows.empty() ? Rows::Radius : parseRows(rows);
     options.seedOfTheDay = seed.empty() || seed == "today";
     options.seed = options.seedOfTheDay ? seedOfToday() : parseSeed(seed);
     if (!replay.empty()) {
-        options.replay = cli::replayOption(replay);
+        options.replay = options::replayOption(replay);
     }
     return options;
 }

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/methods/methods.hpp"
-#include "cli/device_options.hpp"
+#include "methods/methods.hpp"
+#include "options/device_options.hpp"
 #include "verify/report.hpp"
 
 namespace raytorus::verify {
@@ -22,11 +22,11 @@ struct VerifyOptions {
     bool seedOfTheDay = true;
     Rows rows = Rows::Radius;
     std::string method = methods().front().name;
-    render::ShaderSource shaders;  ///< the method's
-    std::string json;              ///< a file; empty: none
+    trace::ShaderSource shaders;  ///< the method's
+    std::string json;             ///< a file; empty: none
     std::optional<reference::TorusAndRay> replay;
     unsigned threads = 0;  ///< 0: as many as there are processors
-    cli::DeviceOptions device;
+    options::DeviceOptions device;
 
     /// This program, with the method and the device that were given.
     [[nodiscard]] std::string command() const;

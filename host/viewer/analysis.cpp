@@ -11,7 +11,8 @@
 
 #include "reference/double_double.hpp"
 #include "reference/intersect.hpp"
-#include "render/pixel_ray.hpp"
+#include "scene/pack.hpp"
+#include "trace/pixel_ray.hpp"
 #include "viewer/view_io.h"
 
 namespace raytorus::viewer {
@@ -75,7 +76,7 @@ double unitOf(const scene_io::SceneTorus& torus) {
 }
 
 // Can the ray come near the torus at all? In double, with room for every rounding.
-bool mayMeet(const scene_io::SceneTorus& torus, const render::TraceRay& ray) {
+bool mayMeet(const scene_io::SceneTorus& torus, const trace::TraceRay& ray) {
     double along = 0.0;
     double square = 0.0;
     double length = 0.0;
@@ -137,11 +138,11 @@ struct PixelJudge::Data {
     std::vector<scene_io::SceneTorus> tori;
 
     template <class Real, class Solving>
-    [[nodiscard]] Truth trace(const render::TraceRay& ray) const {
+    [[nodiscard]] Truth trace(const trace::TraceRay& ray) const {
         Truth truth;
         for (const scene_io::SceneTorus& torus : tori) {
             if (mayMeet(torus, ray)) {
-                meet<Real, Solving>(torus, std::bit_cast<reference::Ray>(render::rayInFrame(torus, ray)),
+                meet<Real, Solving>(torus, std::bit_cast<reference::Ray>(trace::rayInFrame(torus, ray)),
                                     truth);
             }
         }
@@ -149,10 +150,10 @@ struct PixelJudge::Data {
     }
 };
 
-PixelJudge::PixelJudge(const render::Scene& scene, int width, int height)
-    : data(std::make_unique<Data>(Data{render::makeFrame(scene, width, height), {}})) {
+PixelJudge::PixelJudge(const scene::Scene& scene, int width, int height)
+    : data(std::make_unique<Data>(Data{scene::makeFrame(scene, width, height), {}})) {
     for (std::size_t i = 0; i < scene.tori.size(); ++i) {
-        data->tori.push_back(render::makeTorus(scene.tori[i], i));
+        data->tori.push_back(scene::makeTorus(scene.tori[i], i));
     }
 }
 
@@ -166,7 +167,7 @@ PixelAnalysis PixelJudge::judge(const image::Image& picture, int x, int y) const
     };
     const int id = static_cast<int>(value("id"));
     const int count = static_cast<int>(value("count"));
-    const render::TraceRay ray = render::cameraRay(data->frame, x, y);
+    const trace::TraceRay ray = trace::cameraRay(data->frame, x, y);
     Truth truth = data->trace<reference::DoubleDouble, double>(ray);
     const auto agrees = [&] { return truth.nearest.torus == id && truth.count == count; };
     if (!agrees()) {  // only the arbiter may accuse
@@ -197,7 +198,7 @@ PixelAnalysis PixelJudge::judge(const image::Image& picture, int x, int y) const
     return result;
 }
 
-void Analysis::start(const render::Scene& scene, image::Image picture) {
+void Analysis::start(const scene::Scene& scene, image::Image picture) {
     stop();
     known = {picture.width, picture.height, {}};
     known.values.assign(

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "image/image.hpp"
-#include "render/scene.hpp"
+#include "scene/scene.hpp"
 
 namespace raytorus::viewer {
 
@@ -36,7 +36,7 @@ struct PixelAnalysis {
 /// frame: the scene as the shaders read it for this size, made once for all pixels.
 class PixelJudge {
 public:
-    PixelJudge(const render::Scene& scene, int width, int height);
+    PixelJudge(const scene::Scene& scene, int width, int height);
     ~PixelJudge();
     PixelJudge(PixelJudge&&) noexcept;
 
@@ -55,7 +55,7 @@ public:
     ~Analysis() { stop(); }
 
     /// Begins with a picture that has the channels of render(), and drops the one before.
-    void start(const render::Scene& scene, image::Image picture);
+    void start(const scene::Scene& scene, image::Image picture);
     void stop();
 
     struct Progress {

@@ -28,7 +28,7 @@ public:
 
 private:
     struct Seen {
-        render::Camera camera;
+        scene::Camera camera;
         Side left, right;
         bool wipe;
         double wipeAt;

@@ -28,8 +28,8 @@ void EditedShaders::again() {
 
 EditedShaders::Result EditedShaders::compileAll(const std::filesystem::path& folder) {
     Result result;
-    auto plain = std::make_shared<render::ShaderSource::Modules>();
-    auto counting = std::make_shared<render::ShaderSource::Modules>();
+    auto plain = std::make_shared<trace::ShaderSource::Modules>();
+    auto counting = std::make_shared<trace::ShaderSource::Modules>();
     std::vector<std::string> errors;
     const auto compileOne = [&](const char* name, bool steps) {
         compile::ShaderRequest request;
@@ -66,7 +66,7 @@ EditedShaders::Result EditedShaders::compileAll(const std::filesystem::path& fol
     if (errors.size() > mostErrors) {
         result.error += "\n...";
     }
-    result.sources = {render::ShaderSource(plain), render::ShaderSource(counting)};
+    result.sources = {trace::ShaderSource(plain), trace::ShaderSource(counting)};
     return result;
 }
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "compile/file_watch.hpp"
-#include "render/shader_source.hpp"
+#include "trace/shader_source.hpp"
 
 namespace raytorus::viewer {
 
@@ -31,13 +31,13 @@ public:
 
     /// The last that compiled: the scene's shaders, and the same with steps counted. False: none has yet.
     [[nodiscard]] bool any() const { return version > 0; }
-    [[nodiscard]] const render::ShaderSource& shaders() const { return good.shaders; }
-    [[nodiscard]] const render::ShaderSource& steps() const { return good.steps; }
+    [[nodiscard]] const trace::ShaderSource& shaders() const { return good.shaders; }
+    [[nodiscard]] const trace::ShaderSource& steps() const { return good.steps; }
 
 private:
     struct Sources {
-        render::ShaderSource shaders;
-        render::ShaderSource steps;
+        trace::ShaderSource shaders;
+        trace::ShaderSource steps;
     };
     struct Result {
         Sources sources;

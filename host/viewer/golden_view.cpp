@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "compare/compare.hpp"
+#include "compare/difference.hpp"
 #include "golden/golden_set.hpp"
-#include "image/compare.hpp"
-#include "image/difference.hpp"
 #include "image/image_io.hpp"
 #include "render/renderer.hpp"
 #include "viewer/view_io.h"
@@ -33,8 +33,8 @@ std::optional<Golden> findGolden(const std::filesystem::path& scene) {
     return std::nullopt;
 }
 
-GoldenView compareWithGolden(gpu::Context& context, const render::Scene& scene, const Golden& golden,
-                             const render::ShaderSource& shaders, render::Route route) {
+GoldenView compareWithGolden(gpu::Context& context, const scene::Scene& scene, const Golden& golden,
+                             const trace::ShaderSource& shaders, render::Route route) {
     render::RenderOptions options;
     options.route = route;
     options.width = golden.truth.width;
@@ -42,17 +42,17 @@ GoldenView compareWithGolden(gpu::Context& context, const render::Scene& scene, 
     options.samplesPerSide = golden.samplesPerSide;
     options.shaders = shaders;
     const image::Image actual = render::render(context, scene, options).picture;
-    const image::Comparison comparison = image::compare(golden.truth, actual, {});
+    const compare::Comparison comparison = compare::compare(golden.truth, actual, {});
     GoldenView view;
     view.sentence = comparison.sentence;
     view.passed = comparison.passed();
     const std::size_t pixels =
         static_cast<std::size_t>(actual.width) * static_cast<std::size_t>(actual.height);
     view.pixels = {actual.width, actual.height, std::vector<float>(4 * pixels, 0.0F)};
-    if (comparison.verdict == image::Verdict::SizeDiffers) {
+    if (comparison.verdict == compare::Verdict::SizeDiffers) {
         return view;
     }
-    const image::Image difference = image::differenceImage(golden.truth, actual, {});
+    const image::Image difference = compare::differenceImage(golden.truth, actual, {});
     for (std::size_t i = 0; i < pixels; ++i) {
         view.pixels.values[4 * i] = ANALYSIS_COLOR;
         std::copy_n(&difference.pixels[3 * i], 3, &view.pixels.values[4 * i + 1]);

@@ -27,13 +27,13 @@ Golden readGolden(const std::filesystem::path& file);
 std::optional<Golden> findGolden(const std::filesystem::path& scene);
 
 struct GoldenView {
-    AnalysisPixels pixels;  ///< the picture of the differences, image::differenceImage
+    AnalysisPixels pixels;  ///< the picture of the differences, compare::differenceImage
     std::string sentence;   ///< what the comparison comes to
     bool passed = false;
 };
 
 /// Draws the scene in the golden picture's size and compares.
-GoldenView compareWithGolden(gpu::Context& context, const render::Scene& scene, const Golden& golden,
-                             const render::ShaderSource& shaders, render::Route route);
+GoldenView compareWithGolden(gpu::Context& context, const scene::Scene& scene, const Golden& golden,
+                             const trace::ShaderSource& shaders, render::Route route);
 
 }  // namespace raytorus::viewer

@@ -26,7 +26,7 @@ void Inspection::forget() {
     goldenStale = true;
 }
 
-bool Inspection::update(State& state, Pictures& pictures, const render::ShaderSource& shaders) {
+bool Inspection::update(State& state, Pictures& pictures, const trace::ShaderSource& shaders) {
     if (!isAnalysed(state.view)) {
         analysis.stop();
         analysisStale = true;
@@ -67,7 +67,7 @@ bool Inspection::updateAnalysis(State& state, Pictures& pictures) {
     return true;
 }
 
-void Inspection::updateGolden(State& state, const render::ShaderSource& shaders) {
+void Inspection::updateGolden(State& state, const trace::ShaderSource& shaders) {
     sizeOfGolden = {1, 1};
     if (!golden) {
         state.goldenSentence = "this scene has no golden picture (--golden FILE.exr names one)";

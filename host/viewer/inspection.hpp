@@ -27,7 +27,7 @@ public:
 
     /// Begins, goes on and takes what is there for the state's view. True: the view has to be drawn again.
     /// `shaders`: the left side's.
-    bool update(State& state, Pictures& pictures, const render::ShaderSource& shaders);
+    bool update(State& state, Pictures& pictures, const trace::ShaderSource& shaders);
 
     /// All is known that the view shows.
     [[nodiscard]] bool complete(const State& state) const;
@@ -37,7 +37,7 @@ public:
 
 private:
     bool updateAnalysis(State& state, Pictures& pictures);
-    void updateGolden(State& state, const render::ShaderSource& shaders);
+    void updateGolden(State& state, const trace::ShaderSource& shaders);
 
     gpu::Context* context;
     ViewPass* viewPass;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // raytorus-view: a window onto a scene of tori.
-#include "cli/program.hpp"
+#include "options/program.hpp"
 #include "viewer/viewer.hpp"
 #include "viewer/viewer_options.hpp"
 
 int main(int argc, char** argv) {
     using namespace raytorus;
-    return cli::exitStatus(cli::runProgram(viewer::programName, [&] {
+    return options::exitStatus(options::runProgram(viewer::programName, [&] {
         if (const auto options = viewer::parseOptions({argv + 1, argv + argc})) {
             viewer::runViewer(*options);
         }

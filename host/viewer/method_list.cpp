@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 
-#include "bench/methods/methods.hpp"
 #include "core/error.hpp"
+#include "methods/methods.hpp"
 #include "raytorus_steps_bracketed_newton.hpp"
 #include "raytorus_steps_raytorus.hpp"
 #include "raytorus_steps_sphere_tracing.hpp"
@@ -17,7 +17,7 @@ namespace {
 
 struct StepShaders {
     std::string_view method;
-    render::ShaderSource::Find find;
+    trace::ShaderSource::Find find;
 };
 
 constexpr std::array<StepShaders, 3> stepShaders = {{
@@ -32,8 +32,8 @@ std::vector<MethodEntry> methodList(bool withEdited) {
     std::vector<MethodEntry> list;
     for (const Method& method : methods()) {
         const auto found = std::ranges::find(stepShaders, method.name, &StepShaders::method);
-        const render::ShaderSource steps =
-            found != stepShaders.end() ? render::ShaderSource(found->find) : method.shaders;
+        const trace::ShaderSource steps =
+            found != stepShaders.end() ? trace::ShaderSource(found->find) : method.shaders;
         list.push_back({method.name, method.description, method.shaders, steps});
     }
     if (withEdited) {

@@ -5,17 +5,17 @@
 #include <string>
 #include <vector>
 
-#include "render/shader_source.hpp"
+#include "trace/shader_source.hpp"
 
 namespace raytorus::viewer {
 
 struct MethodEntry {
     std::string name;
     std::string description;
-    render::ShaderSource shaders;
-    render::ShaderSource steps;  ///< the same pictures with steps counted, where the method counts any
-    bool edited = false;         ///< the shaders that are being edited
-    int version = 0;             ///< changes with the shaders
+    trace::ShaderSource shaders;
+    trace::ShaderSource steps;  ///< the same pictures with steps counted, where the method counts any
+    bool edited = false;        ///< the shaders that are being edited
+    int version = 0;            ///< changes with the shaders
 };
 
 /// methods(), in their order. withEdited: then "edited", which is the library until it has been compiled.

@@ -18,7 +18,7 @@ struct Axes {
     double distance;
 };
 
-Axes axesOf(const render::Camera& camera) {
+Axes axesOf(const scene::Camera& camera) {
     const glm::dvec3 sight = camera.target - camera.position;
     const double distance = glm::length(sight);
     const glm::dvec3 forward = sight / distance;
@@ -28,7 +28,7 @@ Axes axesOf(const render::Camera& camera) {
 
 }  // namespace
 
-render::Camera orbit(const render::Camera& camera, double across, double upwards) {
+scene::Camera orbit(const scene::Camera& camera, double across, double upwards) {
     const Axes axes = axesOf(camera);
     const glm::dvec3 pole = glm::normalize(camera.up);
     const double fromPole = std::acos(std::clamp(glm::dot(-axes.forward, pole), -1.0, 1.0));
@@ -39,45 +39,45 @@ render::Camera orbit(const render::Camera& camera, double across, double upwards
     glm::dvec3 back = camera.position - camera.target;
     back = glm::rotate(back, -turn, axes.right);
     back = glm::rotate(back, across, pole);
-    render::Camera moved = camera;
+    scene::Camera moved = camera;
     moved.position = camera.target + back;
     return moved;
 }
 
-render::Camera pan(const render::Camera& camera, double x, double y) {
+scene::Camera pan(const scene::Camera& camera, double x, double y) {
     const Axes axes = axesOf(camera);
     const double height = 2.0 * axes.distance * std::tan(0.5 * glm::radians(camera.verticalFieldOfView));
     const glm::dvec3 step = -height * (x * axes.right + y * axes.up);
-    render::Camera moved = camera;
+    scene::Camera moved = camera;
     moved.position += step;
     moved.target += step;
     return moved;
 }
 
-render::Camera dolly(const render::Camera& camera, double factor) {
+scene::Camera dolly(const scene::Camera& camera, double factor) {
     const glm::dvec3 back = camera.position - camera.target;
     const double distance = glm::length(back);
     // Between what float32 can tell apart near the target and what it can hold far away.
     const double size = std::max(1e-6, glm::length(camera.target) * 1e-6);
     const double wanted = std::clamp(distance / factor, std::min(distance, size), std::max(distance, 1e9));
-    render::Camera moved = camera;
+    scene::Camera moved = camera;
     moved.position = camera.target + back * (wanted / distance);
     return moved;
 }
 
-render::Camera fit(const render::Camera& camera, std::span<const render::TorusInstance> tori,
-                   double aspectRatio) {
-    const render::Sphere all = render::enclosingSphere(tori);
+scene::Camera fit(const scene::Camera& camera, std::span<const scene::TorusInstance> tori,
+                  double aspectRatio) {
+    const scene::Sphere all = scene::enclosingSphere(tori);
     const glm::dvec3 back = glm::normalize(camera.position - camera.target);
-    render::Camera moved = camera;
+    scene::Camera moved = camera;
     moved.target = all.center;
-    moved.position = all.center + back * render::framingDistance(camera, all.radius, aspectRatio);
+    moved.position = all.center + back * scene::framingDistance(camera, all.radius, aspectRatio);
     return moved;
 }
 
-render::Camera preset(Preset which, const render::Camera& camera, std::span<const render::TorusInstance> tori,
-                      double aspectRatio) {
-    render::Camera from = camera;
+scene::Camera preset(Preset which, const scene::Camera& camera, std::span<const scene::TorusInstance> tori,
+                     double aspectRatio) {
+    scene::Camera from = camera;
     from.up = {0.0, 0.0, 1.0};
     from.target = glm::dvec3(0.0);
     switch (which) {

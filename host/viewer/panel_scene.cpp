@@ -47,7 +47,7 @@ bool editColor(const char* label, glm::dvec3& color, bool bright) {
     return true;
 }
 
-void editRotation(render::TorusInstance& torus) {
+void editRotation(scene::TorusInstance& torus) {
     // The turn since the drag began is added to the rotation: Euler angles of their own would jump.
     glm::dvec3 turn(0.0);
     if (ImGui::DragScalarN("Turn x y z", ImGuiDataType_Double, &turn.x, 3, 0.5F, nullptr, nullptr, "drag")) {
@@ -69,14 +69,14 @@ std::string formatOf(const std::string& name) {
 }
 
 void editTorus(State& state) {
-    render::Scene& scene = state.scene;
+    scene::Scene& scene = state.scene;
     int index = static_cast<int>(state.selectedTorus);
     const int last = static_cast<int>(scene.tori.size()) - 1;
     if (last > 0) {
         ImGui::SliderInt("Torus", &index, 0, last, "%d", ImGuiSliderFlags_AlwaysClamp);
         state.selectedTorus = static_cast<std::size_t>(index);
     }
-    render::TorusInstance& torus = scene.tori[state.selectedTorus];
+    scene::TorusInstance& torus = scene.tori[state.selectedTorus];
     dragSize("Major radius", torus.majorRadius, 0.0);
     dragSize("Minor radius", torus.minorRadius, tiny);
     ImGui::Text("r/R = %.4g", torus.minorRadius / torus.majorRadius);
@@ -92,7 +92,7 @@ void editTorus(State& state) {
     }
 }
 
-void editMaterial(render::Material& material) {
+void editMaterial(scene::Material& material) {
     editColor("Diffuse", material.diffuse, false);
     editColor("Specular", material.specular, false);
     const double least = 0.01;
@@ -101,7 +101,7 @@ void editMaterial(render::Material& material) {
                         ImGuiSliderFlags_AlwaysClamp);
     bool checker = material.checker.has_value();
     if (ImGui::Checkbox("UV checker", &checker)) {
-        material.checker = checker ? std::optional(render::Checker{}) : std::nullopt;
+        material.checker = checker ? std::optional(scene::Checker{}) : std::nullopt;
     }
     if (material.checker) {
         int counts[2] = {material.checker->countU / 2, material.checker->countV / 2};
@@ -113,11 +113,11 @@ void editMaterial(render::Material& material) {
     }
 }
 
-void editLights(render::Scene& scene) {
+void editLights(scene::Scene& scene) {
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-        render::Light& light = scene.lights[i];
+        scene::Light& light = scene.lights[i];
         ImGui::PushID(static_cast<int>(i));
-        const bool point = light.type == render::Light::Type::Point;
+        const bool point = light.type == scene::Light::Type::Point;
         glm::dvec3 vector = light.vector;
         if (dragVector(point ? "Position" : "Direction to it", vector, 0.01F) &&
             (point || glm::length(vector) > tiny)) {
@@ -131,8 +131,8 @@ void editLights(render::Scene& scene) {
         }
         ImGui::PopID();
     }
-    if (scene.lights.size() < render::maxLights && ImGui::SmallButton("Add a light")) {
-        scene.lights.push_back({render::Light::Type::Directional, {-0.5, -0.5, 1.0}, glm::dvec3(0.5)});
+    if (scene.lights.size() < scene::maxLights && ImGui::SmallButton("Add a light")) {
+        scene.lights.push_back({scene::Light::Type::Directional, {-0.5, -0.5, 1.0}, glm::dvec3(0.5)});
     }
     editColor("Ambient sky", scene.ambient.sky, true);
     editColor("Ambient ground", scene.ambient.ground, true);
@@ -141,7 +141,7 @@ void editLights(render::Scene& scene) {
 }
 
 void editCamera(State& state) {
-    render::Camera moved = state.scene.camera;
+    scene::Camera moved = state.scene.camera;
     dragVector("Position", moved.position, 0.02F);
     dragVector("Target", moved.target, 0.02F);
     const double least = 0.001;

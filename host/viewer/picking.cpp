@@ -29,8 +29,8 @@ std::string testCaseOf(const explain::PixelRay& found, const explain::Explanatio
 
 }  // namespace
 
-Pick pickPixel(gpu::Context& context, const render::Scene& scene, VkExtent2D extent, int x, int y,
-               const render::ShaderSource& shaders, const std::string& deviceWords) {
+Pick pickPixel(gpu::Context& context, const scene::Scene& scene, VkExtent2D extent, int x, int y,
+               const trace::ShaderSource& shaders, const std::string& deviceWords) {
     const explain::PixelRay found =
         explain::pixelRay(scene, static_cast<int>(extent.width), static_cast<int>(extent.height), x, y);
     const explain::Explanation explanation = explain::explain(context, found.torus, found.ray, shaders);

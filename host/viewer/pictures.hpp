@@ -24,8 +24,8 @@ struct ShaderVersion {
 
 /// Everything that pictures depend on; equal wishes give equal pictures.
 struct Wish {
-    render::Scene scene;  ///< as it is at the time shown
-    std::array<render::ShaderSource, 2> shaders;
+    scene::Scene scene;  ///< as it is at the time shown
+    std::array<trace::ShaderSource, 2> shaders;
     std::array<ShaderVersion, 2> shaderVersions{};  ///< of `shaders`
     std::array<render::Route, 2> routes{};
     bool right = false;  ///< the right side is wanted, too
@@ -64,7 +64,7 @@ public:
     [[nodiscard]] VkExtent2D size() const { return windowSize; }
     [[nodiscard]] int samples() const { return shownSamples; }
     /// What the picture shows, which may be older than the last wish.
-    [[nodiscard]] const render::Scene& scene() const { return wanted.scene; }
+    [[nodiscard]] const scene::Scene& scene() const { return wanted.scene; }
 
     [[nodiscard]] render::LivePicture& side(std::size_t index) { return *live[index]; }
     [[nodiscard]] bool hasRight() const { return wanted.right; }
@@ -82,7 +82,7 @@ private:
     gpu::Context* context;
     VkExtent2D windowSize;
     std::array<std::unique_ptr<render::LivePicture>, 2> live;
-    std::array<std::optional<render::Scene>, 2> drawnScene;  // whose tori are on the device
+    std::array<std::optional<scene::Scene>, 2> drawnScene;  // whose tori are on the device
     std::array<std::optional<ShaderVersion>, 2> versions;
     std::array<render::Route, 2> routes{};
     Wish wanted;

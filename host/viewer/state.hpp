@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "render/picture_drawing.hpp"
-#include "render/scene.hpp"
+#include "scene/scene.hpp"
 #include "viewer/view_list.hpp"
 
 namespace raytorus::viewer {
@@ -56,8 +56,8 @@ struct Pick {
 
 struct State {
     std::string sceneFile;
-    render::Scene fileScene;  ///< as it was read
-    render::Scene scene;      ///< as it is edited; its camera is the one that is moved
+    scene::Scene fileScene;  ///< as it was read
+    scene::Scene scene;      ///< as it is edited; its camera is the one that is moved
 
     View view = View::Shaded;
     std::size_t methodCount = 1;

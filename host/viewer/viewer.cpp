@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "render/scene_json.hpp"
+#include "scene/scene_json.hpp"
 #include "viewer/viewer_loop.hpp"
 
 namespace raytorus::viewer {
@@ -14,7 +14,7 @@ namespace {
 State firstState(const ViewerOptions& options, const std::vector<MethodEntry>& methods) {
     State state;
     state.sceneFile = options.scene;
-    state.fileScene = render::readScene(options.scene);
+    state.fileScene = scene::readScene(options.scene);
     state.scene = state.fileScene;
     state.view = options.view;
     state.methodCount = methods.size();
@@ -44,10 +44,10 @@ void runViewer(const ViewerOptions& options) {
     const int height = options.height > 0 ? options.height : state.scene.imageHeight;
     Window window(fmt::format("{} - raytorus", std::filesystem::path(options.scene).filename().string()),
                   width, height);
-    cli::DeviceOptions device = options.device;
+    options::DeviceOptions device = options.device;
     device.context.instanceExtensions = Window::instanceExtensions();
     device.context.deviceExtensions = {VK_KHR_SWAPCHAIN_EXTENSION_NAME};
-    cli::withDevice(device, [&](gpu::Context& context) {
+    options::withDevice(device, [&](gpu::Context& context) {
         ViewerLoop(options, window, context, std::move(state), std::move(methods)).run();
     });
 }

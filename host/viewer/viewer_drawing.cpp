@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "render/scene_animation.hpp"
+#include "scene/scene_animation.hpp"
 #include "viewer/capture.hpp"
 #include "viewer/navigation.hpp"
 #include "viewer/overlays.hpp"
@@ -19,7 +19,7 @@ constexpr double drawSeconds = 0.030;  // of a round, while a picture takes long
 
 }  // namespace
 
-const render::ShaderSource& ViewerLoop::shadersOf(const Side& side) const {
+const trace::ShaderSource& ViewerLoop::shadersOf(const Side& side) const {
     const MethodEntry& method = methods[side.method];
     return state.view == View::Steps ? method.steps : method.shaders;
 }
@@ -30,7 +30,7 @@ ShaderVersion ViewerLoop::versionOf(const Side& side) const {
 
 void ViewerLoop::updatePictures(VkExtent2D size) {
     Wish wish;
-    wish.scene = render::sceneAt(state.scene, state.animation.seconds);
+    wish.scene = scene::sceneAt(state.scene, state.animation.seconds);
     wish.shaders = {shadersOf(state.left), shadersOf(state.right)};
     wish.shaderVersions = {versionOf(state.left), versionOf(state.right)};
     wish.routes = {state.left.route, state.right.route};
@@ -98,7 +98,7 @@ view_io::ViewPush ViewerLoop::viewPush() const {
         push.wipe = static_cast<std::uint32_t>(std::lround(state.wipeAt * extent.width));
     }
     push.linear = swapchain.encodesSrgb() ? 1 : 0;
-    const render::Sphere bounds = render::enclosingSphere(pictures.scene().tori);
+    const scene::Sphere bounds = scene::enclosingSphere(pictures.scene().tori);
     const double distance = glm::length(pictures.scene().camera.position - bounds.center);
     push.nearest = static_cast<float>(std::max(0.0, distance - bounds.radius));
     push.farthest = static_cast<float>(distance + bounds.radius);

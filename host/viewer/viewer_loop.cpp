@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "core/file.hpp"
-#include "render/device_words.hpp"
-#include "render/scene_json.hpp"
+#include "scene/scene_json.hpp"
+#include "trace/device_words.hpp"
 #include "viewer/capture.hpp"
 #include "viewer/commands.hpp"
 #include "viewer/picking.hpp"
@@ -139,10 +139,10 @@ void ViewerLoop::take(const InputEvent& event) {
 
 void ViewerLoop::open(const std::string& file) {
     sceneWatch = watchFile(file);  // first, so that a broken scene is read again when it is mended
-    const render::Scene scene = render::readScene(file);
+    const scene::Scene scene = scene::readScene(file);
     // Whoever edits the file keeps the view of it, unless it is the camera that was edited.
     const bool sameCamera = file == state.sceneFile && scene.camera == state.fileScene.camera;
-    const render::Camera camera = sameCamera ? state.scene.camera : scene.camera;
+    const scene::Camera camera = sameCamera ? state.scene.camera : scene.camera;
     state.sceneFile = file;
     state.fileScene = scene;
     state.scene = scene;
@@ -237,7 +237,7 @@ void ViewerLoop::pick(std::pair<int, int> pixel) {
                                                  extent.width, extent.height));
     }
     state.pick = pickPixel(context, pictures.scene(), extent, x, y, methods[0].shaders,
-                           render::deviceWords(options.device.context, ""));
+                           trace::deviceWords(options.device.context, ""));
     log.write("picked", {{"x", static_cast<long long>(x)},
                          {"y", static_cast<long long>(y)},
                          {"command", state.pick->command},
@@ -247,10 +247,10 @@ void ViewerLoop::pick(std::pair<int, int> pixel) {
 
 void ViewerLoop::saveScene() {
     const std::filesystem::path path = freeName(".", "scene", ".json");
-    render::Scene scene = state.scene;
+    scene::Scene scene = state.scene;
     scene.imageWidth = static_cast<int>(pictures.size().width);
     scene.imageHeight = static_cast<int>(pictures.size().height);
-    const std::string text = render::writeScene(scene);
+    const std::string text = scene::writeScene(scene);
     writeFile(path, std::as_bytes(std::span(text)));
     log.write("saved", {{"file", path.string()}});
     say(state.animation.seconds == 0.0 || !animated()
@@ -294,7 +294,7 @@ void ViewerLoop::finishScript() {
 
 // Writes the picture that is complete and goes on to the next moment.
 void ViewerLoop::finishSequence() {
-    const cli::Frame& frame = options.sequence[sequenceWritten];
+    const options::Frame& frame = options.sequence[sequenceWritten];
     if (state.animation.seconds == frame.seconds) {
         saveScreenshot(frame.output);
         ++sequenceWritten;

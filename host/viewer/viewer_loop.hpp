@@ -75,7 +75,7 @@ private:
     void serve();
     void serveAtRest();
     void noteSize(VkExtent2D size);
-    [[nodiscard]] const render::ShaderSource& shadersOf(const Side& side) const;
+    [[nodiscard]] const trace::ShaderSource& shadersOf(const Side& side) const;
     [[nodiscard]] ShaderVersion versionOf(const Side& side) const;
 
     void updatePictures(VkExtent2D size);

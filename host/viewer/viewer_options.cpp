@@ -7,12 +7,12 @@
 #include <cmath>
 #include <tuple>
 
-#include "cli/number_checks.hpp"
-#include "cli/number_text.hpp"
-#include "cli/option_text.hpp"
-#include "cli/program.hpp"
 #include "core/console.hpp"
 #include "image/image_io.hpp"
+#include "options/number_checks.hpp"
+#include "options/number_text.hpp"
+#include "options/option_text.hpp"
+#include "options/program.hpp"
 #include "viewer/commands.hpp"
 
 namespace raytorus::viewer {
@@ -46,7 +46,7 @@ void readWipe(const std::string& text, ViewerOptions& options) {
     if (at == std::string::npos) {
         return;
     }
-    const auto number = cli::parseFloat(text.substr(at + 1));
+    const auto number = options::parseFloat(text.substr(at + 1));
     if (!number || !(*number >= 0.0F && *number <= 1.0F)) {
         throw Error(
             ExitCode::Usage,
@@ -57,7 +57,7 @@ void readWipe(const std::string& text, ViewerOptions& options) {
 }
 
 void readPick(const std::string& text, ViewerOptions& options) {
-    const auto numbers = cli::parsePair(text);
+    const auto numbers = options::parsePair(text);
     const auto isPixel = [](float number) {
         return number >= 0.0F && number < 16384.0F && number == std::floor(number);
     };
@@ -86,14 +86,14 @@ void readSequence(const Texts& texts, ViewerOptions& options) {
             throw Error(ExitCode::Usage, "--sequence needs --frames");
         }
         options.sequence =
-            cli::framesOf({fmt::format("{}", options.time), count, texts.rate}, texts.sequence);
+            options::framesOf({fmt::format("{}", options.time), count, texts.rate}, texts.sequence);
         options.frames = 1;
     }
 }
 
 void readTexts(const Texts& texts, ViewerOptions& options) {
     if (!texts.size.empty()) {
-        std::tie(options.width, options.height) = cli::sizeOption(texts.size);
+        std::tie(options.width, options.height) = options::sizeOption(texts.size);
     }
     const ViewInfo* view = findView(texts.view);
     if (view == nullptr) {
@@ -101,8 +101,8 @@ void readTexts(const Texts& texts, ViewerOptions& options) {
                     fmt::format("there is no view \"{}\" (raytorus-view --list-views)", texts.view));
     }
     options.view = view->view;
-    options.route = cli::routeOption(texts.route);
-    options.samplesPerSide = cli::samplesOption(texts.samples, 16);
+    options.route = options::routeOption(texts.route);
+    options.samplesPerSide = options::samplesOption(texts.samples, 16);
     if (!texts.wipe.empty()) {
         readWipe(texts.wipe, options);
     }
@@ -113,8 +113,9 @@ void readTexts(const Texts& texts, ViewerOptions& options) {
     readSequence(texts, options);
     requireImageName("--screenshot", options.screenshot, false);
     requireImageName("--window-screenshot", options.windowScreenshot, true);
-    cli::refuseSameFile("--screenshot", options.screenshot, "--window-screenshot", options.windowScreenshot);
-    cli::refuseToOverwrite("--screenshot", options.screenshot, options.golden);
+    options::refuseSameFile("--screenshot", options.screenshot, "--window-screenshot",
+                            options.windowScreenshot);
+    options::refuseToOverwrite("--screenshot", options.screenshot, options.golden);
 }
 
 }  // namespace
@@ -144,14 +145,14 @@ std::optional<ViewerOptions> parseOptions(const std::vector<std::string>& argume
     app.add_option("--golden", options.golden, "What the view golden compares with; else the scene's own")
         ->option_text("FILE.exr");
     app.add_option("--time", options.time, "The scene's time at the beginning")
-        ->check(cli::decimalNumber(-1e6, 1e6))
+        ->check(options::decimalNumber(-1e6, 1e6))
         ->option_text("SECONDS [0]");
     app.add_flag("--paused", options.paused, "Time stands still until Space is pressed");
     app.add_flag("--no-panel", texts.noPanel, "Begin without the panel (Tab shows it)");
     app.add_flag("--keys", options.help, "Begin with the help on keys");
     app.add_option("--pick", texts.pick, "Take this pixel apart at the beginning")->option_text("X,Y");
     app.add_option("--frames", options.frames, "Close after so many frames, or pictures of a sequence")
-        ->check(cli::wholeNumber(1, 1000000000))
+        ->check(options::wholeNumber(1, 1000000000))
         ->option_text("N");
     app.add_option("--screenshot", options.screenshot, "Write the picture, then close")
         ->option_text("FILE.png|.exr");
@@ -166,9 +167,9 @@ std::optional<ViewerOptions> parseOptions(const std::vector<std::string>& argume
     app.add_flag("--events", options.events, "Print what happens as lines of JSON");
     app.add_flag("--list-views", texts.listViews, "Print the views");
     app.add_flag("--list-keys", texts.listKeys, "Print what keys and pointer do");
-    cli::addDeviceOptions(app, options.device);
+    options::addDeviceOptions(app, options.device);
     app.footer(footer);
-    if (!cli::parse(app, arguments)) {
+    if (!options::parse(app, arguments)) {
         return std::nullopt;
     }
     if (texts.listViews || texts.listKeys) {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "cli/device_options.hpp"
-#include "cli/frame_options.hpp"
+#include "options/device_options.hpp"
+#include "options/frame_options.hpp"
 #include "render/picture_drawing.hpp"
 #include "viewer/view_list.hpp"
 
@@ -33,12 +33,12 @@ struct ViewerOptions {
     bool panel = true;
     bool help = false;
     std::optional<std::pair<int, int>> pick;
-    int frames = 0;                    ///< 0: until the window is closed
-    std::vector<cli::Frame> sequence;  ///< pictures to be written, one after the other
+    int frames = 0;                        ///< 0: until the window is closed
+    std::vector<options::Frame> sequence;  ///< pictures to be written, one after the other
     std::string screenshot;
     std::string windowScreenshot;
     bool events = false;
-    cli::DeviceOptions device;
+    options::DeviceOptions device;
 };
 
 /// Nothing where --help, --version or a list has been answered. Throws Error{Usage}.

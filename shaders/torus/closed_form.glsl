@@ -9,7 +9,7 @@
 //     right to half the digits, off by up to 1e-3 R. And the number of roots is wrong for some of the lines that pass
 //     within 1e-7 r / w^2 of a tangent: at r = 0.01 R one in 500, at 0.25 R none of thousands. In 113 bits the same
 //     lines are right to 1e-15 R on every ray, tangents included, but for the axis of a horn: 1e-8 R.
-//     tests/closed_form_test.cpp and closed_form_float_test.cpp measure both.
+//     tests/closed_form/closed_form_test.cpp and closed_form_float_test.cpp measure both.
 //   - Nothing non-finite comes out, whatever finite numbers go in. Only + - * / sqrt, comparisons and bit patterns.
 //
 // Includes torus.glsl. Symbols in the code are those of the derivation: a, b, c; x, y, z; alpha to zeta.

@@ -19,7 +19,7 @@ if(last LESS 1)
     fault("${MATH}: no equations")
 endif()
 
-file(GLOB sources "${root}/tests/*.cpp" "${root}/tests/*.hpp")
+file(GLOB_RECURSE sources "${root}/tests/*.cpp" "${root}/tests/*.hpp")
 file(GLOB library "${LIBRARY}/*.glsl")
 set(cited 0)
 foreach(file IN LISTS library sources)

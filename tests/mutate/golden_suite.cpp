@@ -27,7 +27,7 @@ std::vector<std::size_t> GoldenSuite::trialsInOrder() {
     return order;
 }
 
-GoldenVerdict GoldenSuite::caught(gpu::Context& context, const render::ShaderSource& shaders) {
+GoldenVerdict GoldenSuite::caught(gpu::Context& context, const trace::ShaderSource& shaders) {
     const bool bitsPromised = context.info().type == "CPU";
     render::PipelineStore pipelines;
     GoldenVerdict verdict;

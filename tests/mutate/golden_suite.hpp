@@ -25,7 +25,7 @@ public:
 
     /// Draws cases by both routes until one is not what its truth says. Cases that have caught most are tried
     /// first. May be called from several threads.
-    GoldenVerdict caught(gpu::Context& context, const render::ShaderSource& shaders);
+    GoldenVerdict caught(gpu::Context& context, const trace::ShaderSource& shaders);
 
 private:
     struct Trial {

@@ -12,12 +12,12 @@
 #include <limits>
 #include <optional>
 
-#include "cli/number_checks.hpp"
-#include "cli/option_text.hpp"
-#include "cli/program.hpp"
 #include "core/console.hpp"
 #include "core/file.hpp"
 #include "mutate/mutation_run.hpp"
+#include "options/number_checks.hpp"
+#include "options/option_text.hpp"
+#include "options/program.hpp"
 
 namespace raytorus::mutate {
 namespace {
@@ -52,13 +52,13 @@ std::optional<Options> parseOptions(const std::vector<std::string>& arguments) {
         ->delimiter(',')
         ->option_text("NAME,...");
     app.add_option("--jobs", options.run.jobs, "Mutations at a time")
-        ->check(cli::wholeNumber(1, 256))
+        ->check(options::wholeNumber(1, 256))
         ->option_text("N [processors]");
     app.add_option("--rays", options.run.rays.perCell, "Rays a cell of the verifier")
-        ->check(cli::wholeNumber(1, std::uint64_t{1} << 20U))
+        ->check(options::wholeNumber(1, std::uint64_t{1} << 20U))
         ->option_text("N [500]");
     app.add_option("--seed", options.run.rays.seed, "Of those rays")
-        ->check(cli::wholeNumber(0, std::numeric_limits<std::uint64_t>::max()))
+        ->check(options::wholeNumber(0, std::numeric_limits<std::uint64_t>::max()))
         ->option_text("N [1]");
     app.add_option("--json", options.json, "Everything into a file")->option_text("FILE");
     app.add_option("--markdown", options.markdown, "The table into a file, for the documentation")
@@ -68,10 +68,10 @@ std::optional<Options> parseOptions(const std::vector<std::string>& arguments) {
                    "Device by number, or by a part of its name or driver")
         ->option_text("NAME");
     app.add_flag("--validate", options.run.device.validate, "Run with the Vulkan validation layers");
-    if (!cli::parse(app, arguments)) {
+    if (!options::parse(app, arguments)) {
         return std::nullopt;
     }
-    cli::refuseSameFile("--json", options.json, "--markdown", options.markdown);
+    options::refuseSameFile("--json", options.json, "--markdown", options.markdown);
     return options;
 }
 
@@ -151,7 +151,7 @@ ExitCode run(Options options) {
 
 int main(int argc, char** argv) {
     using namespace raytorus;
-    return cli::exitStatus(cli::runProgram("raytorus-mutate", [&] {
+    return options::exitStatus(options::runProgram("raytorus-mutate", [&] {
         const auto options = mutate::parseOptions({argv + 1, argv + argc});
         return options ? mutate::run(*options) : ExitCode::Ok;
     }));

@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include "bench/methods/methods.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "methods/methods.hpp"
 #include "raytorus_test_shaders.hpp"
-#include "run_program.hpp"
+#include "support/run_program.hpp"
 
 namespace raytorus::mutate {
 namespace {
@@ -48,13 +48,13 @@ Mutant::Mutant(const Mutation* mutation, fs::path folder) : source(folder), fast
     for (const char* shader : {"fullscreen.vert", "scene.frag", "scene.comp", "trace.comp"}) {
         compile(shaders / shader, shaders, folder, name);
     }
-    compile(sourceFolder / "tests" / "probe.comp", shaders, folder, name);
+    compile(sourceFolder / "tests" / "support" / "probe.comp", shaders, folder, name);
     compile(shaders / "trace.comp", shaders, folder / fastFolder, name, {"-DTORUS_FAST"});
 }
 
 bool Mutant::changes(const std::string& shader) const {
-    const render::ShaderSource unchanged =
-        shader == "probe.comp" ? render::ShaderSource(test_shaders::find) : render::ShaderSource();
+    const trace::ShaderSource unchanged =
+        shader == "probe.comp" ? trace::ShaderSource(test_shaders::find) : trace::ShaderSource();
     return source.load(shader) != unchanged.load(shader);
 }
 

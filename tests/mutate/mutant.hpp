@@ -6,7 +6,7 @@
 #include <string>
 
 #include "mutate/mutation.hpp"
-#include "render/shader_source.hpp"
+#include "trace/shader_source.hpp"
 
 namespace raytorus::mutate {
 
@@ -17,17 +17,17 @@ public:
     Mutant(const Mutation* mutation, std::filesystem::path folder);
 
     /// All the host's shaders, and probe.comp.
-    [[nodiscard]] const render::ShaderSource& shaders() const { return source; }
+    [[nodiscard]] const trace::ShaderSource& shaders() const { return source; }
     /// trace.comp with TORUS_FAST.
-    [[nodiscard]] const render::ShaderSource& fastShaders() const { return fast; }
+    [[nodiscard]] const trace::ShaderSource& fastShaders() const { return fast; }
 
     /// Whether the mutation changed this shader; where it has not, there is nothing to test.
     [[nodiscard]] bool changes(const std::string& shader) const;
     [[nodiscard]] bool changesFast() const;
 
 private:
-    render::ShaderSource source;
-    render::ShaderSource fast;
+    trace::ShaderSource source;
+    trace::ShaderSource fast;
 };
 
 }  // namespace raytorus::mutate

@@ -5,24 +5,24 @@
 
 #include <array>
 
-#include "contract_checks.hpp"
-#include "hit_match.hpp"
-#include "picture_checks.hpp"
 #include "render/renderer.hpp"
-#include "render/scene_json.hpp"
-#include "special_lines.hpp"
-#include "surface_checks.hpp"
+#include "scene/scene_json.hpp"
+#include "support/contract_checks.hpp"
+#include "support/hit_match.hpp"
+#include "support/picture_checks.hpp"
+#include "support/special_lines.hpp"
+#include "support/surface_checks.hpp"
 #include "verify/verifier.hpp"
 
 namespace raytorus::mutate {
 namespace {
 
-std::optional<std::string> caughtByContract(gpu::Context& context, const render::ShaderSource& shaders) {
-    std::array tracers = {render::Tracer(context, render::Query::Nearest, test::contractRays, shaders),
-                          render::Tracer(context, render::Query::All, test::contractRays, shaders),
-                          render::Tracer(context, render::Query::Any, test::contractRays, shaders)};
-    const test::AskRays ask = [&tracers](render::Query query, float majorRadius, float minorRadius,
-                                         const std::vector<render::TraceRay>& rays) {
+std::optional<std::string> caughtByContract(gpu::Context& context, const trace::ShaderSource& shaders) {
+    std::array tracers = {trace::Tracer(context, trace::Query::Nearest, test::contractRays, shaders),
+                          trace::Tracer(context, trace::Query::All, test::contractRays, shaders),
+                          trace::Tracer(context, trace::Query::Any, test::contractRays, shaders)};
+    const test::AskRays ask = [&tracers](trace::Query query, float majorRadius, float minorRadius,
+                                         const std::vector<trace::TraceRay>& rays) {
         const std::span<const float> values =
             tracers.at(static_cast<std::size_t>(query)).trace(majorRadius, minorRadius, rays);
         return std::vector<float>(values.begin(), values.end());
@@ -36,12 +36,12 @@ std::optional<std::string> caughtByContract(gpu::Context& context, const render:
     return std::nullopt;
 }
 
-std::optional<std::string> caughtBySpecialLines(gpu::Context& context, const render::ShaderSource& shaders) {
+std::optional<std::string> caughtBySpecialLines(gpu::Context& context, const trace::ShaderSource& shaders) {
     constexpr std::size_t capacity = 4096;
-    verify::Questions questions(context, capacity, shaders);
+    judge::Queries questions(context, capacity, shaders);
     for (const test::SpecialLinesOf& kind : test::allSpecialLines()) {
         for (const test::SpecialLines& lines : kind.lines()) {
-            const std::vector<verify::Answers> answers = questions.ask(lines.torus, lines.rays);
+            const std::vector<judge::Answers> answers = questions.ask(lines.torus, lines.rays);
             for (std::size_t i = 0; i < answers.size(); ++i) {
                 const std::string fault = test::mismatch(lines.torus, lines.rays[i], answers[i]);
                 if (!fault.empty()) {
@@ -53,7 +53,7 @@ std::optional<std::string> caughtBySpecialLines(gpu::Context& context, const ren
     return std::nullopt;
 }
 
-std::optional<std::string> caughtBySurface(gpu::Context& context, const render::ShaderSource& shaders) {
+std::optional<std::string> caughtBySurface(gpu::Context& context, const trace::ShaderSource& shaders) {
     test::SurfaceProbe probe(context, shaders);
     const test::AskSurface ask = [&probe](const std::vector<test::SurfacePoint>& points) {
         return probe.ask(points);
@@ -87,7 +87,7 @@ std::vector<verify::Cell> cells() {
     return cells;
 }
 
-std::optional<std::string> caughtByRays(gpu::Context& context, const render::ShaderSource& shaders,
+std::optional<std::string> caughtByRays(gpu::Context& context, const trace::ShaderSource& shaders,
                                         const RayChoice& rays, reference::Tier tier) {
     verify::Verifier verifier(context, shaders, 1);  // mutants already run side by side
     for (const verify::Cell& cell : cells()) {
@@ -109,9 +109,9 @@ std::optional<std::string> caughtByRays(gpu::Context& context, const render::Sha
 }
 
 // From far away, where a position that is not the library's is furthest off.
-std::optional<std::string> caughtByPositions(gpu::Context& context, const render::ShaderSource& shaders) {
-    const render::Scene scene =
-        render::readScene(std::filesystem::path(RAYTORUS_SOURCE_DIR) / "golden" / "scenes" / "far_1e5.json");
+std::optional<std::string> caughtByPositions(gpu::Context& context, const trace::ShaderSource& shaders) {
+    const scene::Scene scene =
+        scene::readScene(std::filesystem::path(RAYTORUS_SOURCE_DIR) / "golden" / "scenes" / "far_1e5.json");
     render::RenderOptions options;
     options.shaders = shaders;
     const std::string fault = test::offTheTori(render::render(context, scene, options).picture, scene);
@@ -122,7 +122,7 @@ std::optional<std::string> caughtByPositions(gpu::Context& context, const render
 
 std::optional<std::string> caughtByNumbers(gpu::Context& context, const Mutant& mutant, const RayChoice& rays,
                                            const Asked& asked) {
-    const render::ShaderSource& shaders = mutant.shaders();
+    const trace::ShaderSource& shaders = mutant.shaders();
     std::optional<std::string> caught;
     if (asked.rays) {
         caught = caughtByContract(context, shaders);

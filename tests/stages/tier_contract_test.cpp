@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// What the include promises whatever it is given, of both tiers as C++. No output is written before the call.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstring>
+#include <vector>
+
+#include "stage_rays.hpp"
+#include "support/contract_checks.hpp"
+
+namespace raytorus::test {
+namespace {
+
+using trace::Query;
+
+template <class Answer>
+void append(std::vector<float>& floats, const Answer& answer) {
+    std::array<float, sizeof(Answer) / sizeof(float)> own{};
+    std::memcpy(own.data(), &answer, sizeof(Answer));
+    floats.insert(floats.end(), own.begin(), own.end());
+}
+
+AskRays askOf(const Tier& tier) {
+    return
+        [&tier](Query query, float majorRadius, float minorRadius, const std::vector<trace::TraceRay>& rays) {
+            std::vector<float> answers;
+            for (const trace::TraceRay& ray : rays) {
+                switch (query) {
+                    case Query::Nearest:
+                        append(answers, tier.nearest(majorRadius, minorRadius, ray));
+                        break;
+                    case Query::All:
+                        append(answers, tier.all(majorRadius, minorRadius, ray));
+                        break;
+                    case Query::Any:
+                        answers.push_back(tier.any(majorRadius, minorRadius, ray) ? 1.0F : 0.0F);
+                        break;
+                }
+            }
+            return answers;
+        };
+}
+
+class TierContract : public OfBothTiers {};
+
+TEST_P(TierContract, IsKept) {
+    for (const ContractCheck& check : contractChecks()) {
+        EXPECT_EQ(check.fault(askOf(tier())), "") << check.name;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Tier, TierContract, testing::Values(&exactTier(), &fastTier()), nameOfTier);
+
+}  // namespace
+}  // namespace raytorus::test

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// What the include promises whatever it is given: bad input is a miss with everything written and nothing
+// non-finite, and a change of scale by powers of two changes no bit. Whoever can trace rays can run the
+// checks: each returns a sentence about the first answer that is wrong, or nothing.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "trace/tracer.hpp"
+
+namespace raytorus::test {
+
+/// The answers to at most contractRays rays at a torus of these radii, as a row of floats.
+using AskRays = std::function<std::vector<float>(trace::Query, float majorRadius, float minorRadius,
+                                                 const std::vector<trace::TraceRay>&)>;
+inline constexpr std::size_t contractRays = 512;
+
+std::string badInputFault(const AskRays& ask);
+std::string infiniteEndFault(const AskRays& ask);
+std::string scalingFault(const AskRays& ask);
+std::string pastTheCountFault(const AskRays& ask);
+/// The normal of the nearest hit, which is that of its position, outward from whichever side it is hit.
+std::string hitNormalFault(const AskRays& ask);
+
+struct ContractCheck {
+    const char* name;
+    std::string (*fault)(const AskRays& ask);
+};
+
+/// All of them.
+std::span<const ContractCheck> contractChecks();
+
+}  // namespace raytorus::test
