@@ -23,8 +23,8 @@
 //
 // `#define TORUS_FAST` before the include: the same functions in plain float32, with half the code. Right verdicts, counts
 // and order where no tangent is nearer than 1e-3 r and r/R is 1e-3 to 1.5, but for a horn's tip; positions to 4e-6 (R + r)
-// for 99 of 100 hits; a start nearer to the surface than 1e-6 (R + r) counts as one on it, of which there is no hit. The
-// bits may differ between drivers.
+// for 99 of 100 hits; a start or an end nearer to the surface than 1.5e-6 (R + r) counts as one on it: a hit there
+// may go either way. The bits may differ between drivers.
 //
 // Where the device's fma() is known to round once, as that of most GPUs does and that of CPU drivers does not
 // (`raytorus doctor` asks), `#define TORUS_FUSED_FMA` before the include: the same bits with an eighth less code. Where it
