@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who is timed: raytorus::methods, and yardsticks that answer another question or need more than float32.
+// Who is timed: raytorus::methods, and baselines that answer another query or need more than float32.
 #pragma once
 
 #include <span>

@@ -87,8 +87,9 @@ struct Drawing {
 std::vector<Drawing> drawingsOf(const std::vector<golden::Case>& rows) {
     std::vector<Drawing> drawings;
     for (const golden::Case& row : rows) {
-        drawings.push_back({row, row.name + "_fragment", render::Route::Fragment, nullptr, 0});
-        drawings.push_back({row, row.name + "_compute", render::Route::Compute, nullptr, 0});
+        for (const render::RouteInfo& info : render::routes) {
+            drawings.push_back({row, row.name + "_" + info.name, info.route, nullptr, 0});
+        }
         for (const auto& [name, allowed] : row.methods) {
             drawings.push_back(
                 {row, row.name + "_" + name, render::Route::Fragment, findMethod(name), allowed});

@@ -10,10 +10,6 @@
 namespace raytorus::cli {
 namespace {
 
-const char* routeName(render::Route route) {
-    return route == render::Route::Fragment ? "fragment" : "compute";
-}
-
 // The steady speed: of the fastest repeat, or of the bands after the first, in which drivers compile. A
 // picture of one band that is rendered once has no other.
 struct SteadySpeed {
@@ -45,8 +41,8 @@ std::string statsText(const RenderStats& stats) {
     const render::RenderTimes& times = stats.render;
     const SteadySpeed speed = steadySpeed(stats);
     std::string text = fmt::format("{} ({})\n{} route, {}x{}, {} sample(s) a pixel\n", stats.device.name,
-                                   stats.device.driverInfo, routeName(stats.route), stats.width, stats.height,
-                                   stats.samplesPerPixel);
+                                   stats.device.driverInfo, render::infoOf(stats.route).name, stats.width,
+                                   stats.height, stats.samplesPerPixel);
     const auto row = [&text](const char* name, double value, const std::string& note = {}) {
         text += fmt::format("  {:<12}{:9.1f} ms{}\n", name, 1e3 * value, note.empty() ? "" : "   " + note);
     };
@@ -73,7 +69,7 @@ std::string statsJson(const RenderStats& stats) {
     nlohmann::ordered_json json = {
         {"device", stats.device.name},
         {"driver", stats.device.driverInfo},
-        {"route", routeName(stats.route)},
+        {"route", render::infoOf(stats.route).name},
         {"width", stats.width},
         {"height", stats.height},
         {"samplesPerPixel", stats.samplesPerPixel},

@@ -8,7 +8,7 @@
 namespace raytorus::judge {
 namespace {
 
-// Asks one question, and puts each answer where it belongs.
+// Asks one query, and puts each answer where it belongs.
 template <typename Answer>
 void askOne(trace::Tracer& tracer, const reference::Torus& torus, const std::vector<trace::TraceRay>& rays,
             std::vector<Answers>& answers, Answer Answers::*member) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All three questions of the same rays, through the real SPIR-V.
+// All three queries of the same rays, through the real SPIR-V.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ struct Answers {
     float any;
 };
 
-/// A tracer a question, kept: each makes a pipeline, which takes some drivers a third of a second.
+/// A tracer a query, kept: each makes a pipeline, which takes some drivers a third of a second.
 class Queries {
 public:
     /// Room for `capacity` rays at a time. `shaders` may put another method in the place of trace.comp.

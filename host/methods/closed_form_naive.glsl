@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What most shaders do: the quartic of the ray as it stands in world space, solved by formula in plain float32, with the
-// driver's acos, cos and pow. Kept as it is usually written, because it is the yardstick of speed and the reason
+// driver's acos, cos and pow. Kept as it is usually written, because it is the measure of speed and the reason
 // why exactness is worth something: from 100 R away the coefficients, which hold the fourth power of the distance, have
 // lost the torus.
 //

@@ -52,10 +52,14 @@ std::pair<int, int> sizeOption(const std::string& text) {
 }
 
 render::Route routeOption(const std::string& text) {
-    if (text != "fragment" && text != "compute") {
-        throw Error(ExitCode::Usage, fmt::format("--route takes fragment or compute, not \"{}\"", text));
+    std::string names;
+    for (const render::RouteInfo& info : render::routes) {
+        if (text == info.name) {
+            return info.route;
+        }
+        names += fmt::format("{}{}", names.empty() ? "" : " or ", info.name);
     }
-    return text == "compute" ? render::Route::Compute : render::Route::Fragment;
+    throw Error(ExitCode::Usage, fmt::format("--route takes {}, not \"{}\"", names, text));
 }
 
 int samplesOption(const std::string& text, int mostPerSide) {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "reference/rays.hpp"
-#include "render/picture_drawing.hpp"
+#include "render/route.hpp"
 
 namespace raytorus::options {
 

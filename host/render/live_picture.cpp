@@ -98,7 +98,7 @@ bool LivePicture::draw(double seconds) {
     }
     bandRows = current->bandRows();
     current.reset();
-    const RouteOutput output = outputOf(route);
+    const RouteInfo& output = infoOf(route);
     makeReadable(*context, targetsOf(request), output.use, output.layout);
     colorAlone = !request.aovs;
     lastTimes = drawTimes;

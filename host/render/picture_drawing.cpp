@@ -26,19 +26,72 @@ gpu::ShaderModule shader(const gpu::Context& context, const DrawingOptions& opti
     return {context, options.shaders.load(name), name};
 }
 
-gpu::Pipeline makePipeline(const gpu::Context& context, const DrawingOptions& options,
-                           gpu::PipelineLayoutInfo info, std::size_t images) {
-    if (options.route == Route::Fragment) {
-        info.stages = VK_SHADER_STAGE_FRAGMENT_BIT;
-        return gpu::makeScreenPipeline(context, shader(context, options, "fullscreen.vert"),
-                                       shader(context, options, "scene.frag"),
-                                       static_cast<std::uint32_t>(images), info);
-    }
+// Some rows of a picture, the images that it is drawn into, and its pipeline.
+struct Rows {
+    gpu::Pipeline& pipeline;
+    std::span<const gpu::Image> images;
+    std::uint32_t first;
+    std::uint32_t end;
+    std::uint32_t width;
+};
+
+gpu::Pipeline makeFragmentPipeline(const gpu::Context& context, const DrawingOptions& options,
+                                   gpu::PipelineLayoutInfo info, std::size_t images) {
+    info.stages = VK_SHADER_STAGE_FRAGMENT_BIT;
+    return gpu::makeScreenPipeline(context, shader(context, options, "fullscreen.vert"),
+                                   shader(context, options, "scene.frag"), static_cast<std::uint32_t>(images),
+                                   info);
+}
+
+// It writes to attachments, which belong to no binding.
+void bindNoImages(gpu::Pipeline& /*pipeline*/, std::span<const gpu::Image> /*images*/) {}
+
+void drawFragments(VkCommandBuffer commands, const Rows& rows) {
+    rows.pipeline.use(commands);
+    gpu::drawScreen(commands, rows.images,
+                    {{0, static_cast<std::int32_t>(rows.first)}, {rows.width, rows.end - rows.first}});
+}
+
+constexpr std::uint32_t computeImages = 4;
+
+gpu::Pipeline makeComputePipeline(const gpu::Context& context, const DrawingOptions& options,
+                                  gpu::PipelineLayoutInfo info, std::size_t /*images*/) {
     info.pushConstantBytes = 3 * sizeof(std::uint32_t);
-    for (std::uint32_t i = 0; i < 4; ++i) {
+    for (std::uint32_t i = 0; i < computeImages; ++i) {
         info.bindings.push_back({SCENE_BINDING_COLOR + i, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE});
     }
     return gpu::makeComputePipeline(context, shader(context, options, "scene.comp"), info);
+}
+
+void bindStorageImages(gpu::Pipeline& pipeline, std::span<const gpu::Image> images) {
+    for (std::uint32_t i = 0; i < computeImages; ++i) {
+        // Without the geometric pictures the shader never stores to their bindings, but each must be valid.
+        pipeline.bind(SCENE_BINDING_COLOR + i, images[std::min<std::size_t>(i, images.size() - 1)]);
+    }
+}
+
+void dispatch(VkCommandBuffer commands, const Rows& rows) {
+    const std::array constants = {rows.first, rows.end, rows.width};
+    rows.pipeline.use(commands, std::as_bytes(std::span(constants)));
+    const auto groups = [](std::uint32_t size, std::uint32_t group) { return (size + group - 1) / group; };
+    vkCmdDispatch(commands, groups(rows.width, SCENE_GROUP_WIDTH),
+                  groups(rows.end - rows.first, SCENE_GROUP_HEIGHT), 1);
+}
+
+// How each route draws, in the order of `routes`.
+struct RouteWork {
+    gpu::Pipeline (*makePipeline)(const gpu::Context&, const DrawingOptions&, gpu::PipelineLayoutInfo,
+                                  std::size_t images);
+    void (*bindImages)(gpu::Pipeline&, std::span<const gpu::Image>);
+    void (*draw)(VkCommandBuffer, const Rows&);
+};
+constexpr std::array<RouteWork, routes.size()> work = {{
+    {makeFragmentPipeline, bindNoImages, drawFragments},
+    {makeComputePipeline, bindStorageImages, dispatch},
+}};
+
+const RouteWork& workOf(Route route) {
+    return work[static_cast<std::size_t>(route)];
 }
 
 constexpr std::uint32_t bandRowUnit = 64;  // lavapipe's tiles are 64 x 64 pixels
@@ -60,13 +113,9 @@ void preparePipeline(const gpu::Context& context, PipelineStore& pipelines, cons
                      const DrawingOptions& options, bool aovs) {
     const std::size_t images = PictureTargets::imageCount(aovs);
     const gpu::PipelineLayoutInfo info = layoutInfo(scene, options, images);
-    pipelines.prepare(options.route, info.specialization,
-                      [=, &context] { return makePipeline(context, options, info, images); });
-}
-
-RouteOutput outputOf(Route route) {
-    return route == Route::Fragment ? RouteOutput{gpu::colorWrite, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL}
-                                    : RouteOutput{gpu::shaderWrite, VK_IMAGE_LAYOUT_GENERAL};
+    pipelines.prepare(options.route, info.specialization, [=, &context] {
+        return workOf(options.route).makePipeline(context, options, info, images);
+    });
 }
 
 PictureDrawing::PictureDrawing(gpu::Context& gpuContext, PipelineStore& pipelines, const scene::Scene& scene,
@@ -80,27 +129,15 @@ PictureDrawing::PictureDrawing(gpu::Context& gpuContext, PipelineStore& pipeline
       rows(firstBandRows(extent)) {
     const std::span<const gpu::Image> images = targets->images();
     const gpu::PipelineLayoutInfo info = layoutInfo(scene, options, images.size());
-    pipeline = &pipelines.find(route, info.specialization,
-                               [&] { return makePipeline(*context, options, info, images.size()); });
+    pipeline = &pipelines.find(route, info.specialization, [&] {
+        return workOf(route).makePipeline(*context, options, info, images.size());
+    });
     buffers.bindTo(*pipeline);
-    for (std::uint32_t i = 0; route == Route::Compute && i < 4; ++i) {
-        // Without the geometric pictures the shader never stores to their bindings, but each must be valid.
-        pipeline->bind(SCENE_BINDING_COLOR + i, images[std::min<std::size_t>(i, images.size() - 1)]);
-    }
+    workOf(route).bindImages(*pipeline, images);
 }
 
 void PictureDrawing::draw(VkCommandBuffer commands, std::uint32_t endRow) const {
-    const std::array band = {row, endRow, pictureExtent.width};
-    if (route == Route::Fragment) {
-        pipeline->use(commands);
-        gpu::drawScreen(commands, targets->images(),
-                        {{0, static_cast<std::int32_t>(row)}, {pictureExtent.width, endRow - row}});
-        return;
-    }
-    pipeline->use(commands, std::as_bytes(std::span(band)));
-    const auto groups = [](std::uint32_t size, std::uint32_t group) { return (size + group - 1) / group; };
-    vkCmdDispatch(commands, groups(pictureExtent.width, SCENE_GROUP_WIDTH),
-                  groups(endRow - row, SCENE_GROUP_HEIGHT), 1);
+    workOf(route).draw(commands, {*pipeline, targets->images(), row, endRow, pictureExtent.width});
 }
 
 Band PictureDrawing::drawBand(double seconds) {
@@ -110,7 +147,7 @@ Band PictureDrawing::drawBand(double seconds) {
     const Clock::time_point start = Clock::now();
     context->submit([&](VkCommandBuffer commands) {
         if (row == 0) {
-            const RouteOutput output = outputOf(route);
+            const RouteInfo& output = infoOf(route);
             targets->begin(commands, output.use, output.layout);
         }
         timestamps.begin(commands);

@@ -20,13 +20,6 @@ struct DrawingOptions {
     trace::ShaderSource shaders;
 };
 
-/// How a route leaves the images that it has written.
-struct RouteOutput {
-    gpu::Use use;
-    VkImageLayout layout;
-};
-RouteOutput outputOf(Route route);
-
 /// A band of rows that has been drawn, in seconds.
 struct Band {
     std::uint32_t firstRow = 0;

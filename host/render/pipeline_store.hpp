@@ -12,10 +12,9 @@
 #include <vector>
 
 #include "gpu/pipeline.hpp"
+#include "render/route.hpp"
 
 namespace raytorus::render {
-
-enum class Route { Fragment, Compute };
 
 /// Pipelines kept from one picture to the next. Scenes with as many tori, lights and samples have the same,
 /// and a driver compiles each for longer than it draws a small picture. For one context, which must outlive

@@ -70,7 +70,7 @@ RenderResult render(gpu::Context& context, const scene::Scene& scene, const Rend
     drawPasses(drawing, options, result.times);
 
     start = Clock::now();
-    const RouteOutput output = outputOf(options.route);
+    const RouteInfo& output = infoOf(options.route);
     result.picture = targets.readBack(context, extent, output.use, output.layout);
     result.times.readBack = secondsSince(start);
     return result;

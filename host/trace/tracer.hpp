@@ -15,7 +15,7 @@
 
 namespace raytorus::trace {
 
-/// A torus, one kind of question, and room for a number of rays at a time, or for a few such numbers: while
+/// A torus, one kind of query, and room for a number of rays at a time, or for a few such numbers: while
 /// the device answers one batch, the host can fill another and read a third.
 class Tracer {
 public:

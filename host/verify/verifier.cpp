@@ -17,7 +17,7 @@ constexpr std::size_t blockRays = std::size_t{1} << 16U;
 
 Verifier::Verifier(gpu::Context& context, const trace::ShaderSource& shaders, unsigned wantedThreads)
     : threads(wantedThreads > 0 ? wantedThreads : std::max(1U, std::thread::hardware_concurrency())),
-      questions(context, blockRays, shaders) {}
+      queries(context, blockRays, shaders) {}
 
 Statistics Verifier::judgeBlock(const Cell& cell, const std::vector<reference::Ray>& rays,
                                 const std::vector<judge::Answers>& answers) const {
@@ -60,7 +60,7 @@ Statistics Verifier::verify(const Cell& cell, std::uint64_t seed, std::uint64_t 
                 rays[i] = cell.ray(seed, first + i);
             }
         });
-        total.merge(judgeBlock(cell, rays, questions.ask(cell.torus(), rays)));
+        total.merge(judgeBlock(cell, rays, queries.ask(cell.torus(), rays)));
         if (progress) {
             progress(first + rays.size());
         }
@@ -71,7 +71,7 @@ Statistics Verifier::verify(const Cell& cell, std::uint64_t seed, std::uint64_t 
 Verifier::Replay Verifier::replay(const reference::Torus& torus, const reference::Ray& ray) {
     Replay replay;
     replay.truth = reference::intersect(torus, ray);
-    replay.answers = questions.ask(torus, {ray}).front();
+    replay.answers = queries.ask(torus, {ray}).front();
     replay.judgement = judge::judge(torus, ray, judge::arbiterTruth(torus, ray), replay.answers);
     return replay;
 }

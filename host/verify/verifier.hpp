@@ -34,7 +34,7 @@ private:
                           const std::vector<judge::Answers>& answers) const;
 
     unsigned threads;
-    judge::Queries questions;
+    judge::Queries queries;
 };
 
 }  // namespace raytorus::verify

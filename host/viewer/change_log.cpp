@@ -8,10 +8,6 @@ std::vector<double> numbers(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
 }
 
-std::string nameOf(render::Route route) {
-    return route == render::Route::Fragment ? "fragment" : "compute";
-}
-
 bool changedByHand(const Animation& before, const Animation& now) {
     const bool jumped = now.playing ? now.seconds < before.seconds : now.seconds != before.seconds;
     return jumped || now.playing != before.playing || now.speed != before.speed;
@@ -32,8 +28,8 @@ void ChangeLog::note(const State& state, const std::vector<MethodEntry>& methods
     if (!seen || seen->left != now.left || seen->right != now.right) {
         log.write("method", {{"left", methods[now.left.method].name},
                              {"right", methods[now.right.method].name},
-                             {"leftRoute", nameOf(now.left.route)},
-                             {"rightRoute", nameOf(now.right.route)}});
+                             {"leftRoute", render::infoOf(now.left.route).name},
+                             {"rightRoute", render::infoOf(now.right.route).name}});
     }
     if (!seen || seen->wipe != now.wipe || seen->wipeAt != now.wipeAt) {
         log.write("wipe", {{"on", now.wipe}, {"at", now.wipeAt}});

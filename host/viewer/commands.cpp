@@ -63,10 +63,6 @@ void nextRightMethod(State& state) {
     state.wipe = true;
 }
 
-render::Route other(render::Route route) {
-    return route == render::Route::Fragment ? render::Route::Compute : render::Route::Fragment;
-}
-
 template <int step>
 void moveWipe(State& state) {
     state.wipe = true;
@@ -133,12 +129,12 @@ const std::array list = {
     Command{"M", GLFW_KEY_M, 0, "Method", "next method", nextMethod<1>},
     Command{"Shift+M", GLFW_KEY_M, shift, "Method", "method before", nextMethod<-1>},
     Command{"R", GLFW_KEY_R, 0, "Method", "other route",
-            [](State& state) { state.left.route = other(state.left.route); }},
+            [](State& state) { state.left.route = render::nextOf(state.left.route); }},
     Command{"W", GLFW_KEY_W, 0, "Method", "wipe between two methods or routes on and off",
             [](State& state) { state.wipe = !state.wipe; }},
     Command{"N", GLFW_KEY_N, 0, "Method", "next method on the right of the wipe", nextRightMethod},
     Command{"Shift+R", GLFW_KEY_R, shift, "Method", "other route on the right of the wipe",
-            [](State& state) { state.right.route = other(state.right.route); }},
+            [](State& state) { state.right.route = render::nextOf(state.right.route); }},
     Command{"[", GLFW_KEY_LEFT_BRACKET, 0, "Method", "wipe to the left", moveWipe<-1>},
     Command{"]", GLFW_KEY_RIGHT_BRACKET, 0, "Method", "wipe to the right", moveWipe<1>},
 

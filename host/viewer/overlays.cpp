@@ -106,9 +106,8 @@ void drawWipe(const State& state, const std::vector<MethodEntry>& methods, const
     list->AddLine({x, top}, {x, bottom}, IM_COL32(0, 0, 0, 160), 4.0F);
     list->AddLine({x, top}, {x, bottom}, IM_COL32(255, 255, 255, 230), 1.5F);
     const auto label = [&](const Side& side) {
-        return methods[side.method].name + (state.left.route == state.right.route   ? ""
-                                            : side.route == render::Route::Fragment ? ", fragment"
-                                                                                    : ", compute");
+        const std::string& name = methods[side.method].name;
+        return state.left.route == state.right.route ? name : name + ", " + render::infoOf(side.route).name;
     };
     const std::string left = label(state.left);
     const std::string right = label(state.right);

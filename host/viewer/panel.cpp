@@ -52,11 +52,13 @@ void chooseSide(const char* label, Side& side, const std::vector<MethodEntry>& m
         ImGui::EndCombo();
     }
     tip(methods[side.method].description.c_str());
-    int route = side.route == render::Route::Fragment ? 0 : 1;
-    ImGui::RadioButton("fragment", &route, 0);
-    ImGui::SameLine();
-    ImGui::RadioButton("compute", &route, 1);
-    side.route = route == 0 ? render::Route::Fragment : render::Route::Compute;
+    for (const render::RouteInfo& info : render::routes) {
+        if (ImGui::RadioButton(info.name, side.route == info.route)) {
+            side.route = info.route;
+        }
+        ImGui::SameLine();
+    }
+    ImGui::NewLine();
     ImGui::PopID();
 }
 

@@ -24,7 +24,7 @@ std::size_t leftSpread(const std::vector<Change>& changes) {
 TEST(BenchAgainst, FindsNothingInTheSameRun) {
     const BenchRun run = madeUpRun(0.5);
     const std::vector<Change> changes = compareWith(tableOf(run), run);
-    EXPECT_EQ(changes.size(), 8U) << "two methods in four cells; the library is the yardstick";
+    EXPECT_EQ(changes.size(), 8U) << "two methods in four cells; the library is the baseline";
     EXPECT_EQ(leftSpread(changes), 0U);
     for (const Change& change : changes) {
         EXPECT_DOUBLE_EQ(change.factor(), 1.0);
