@@ -18,7 +18,9 @@
 #include <mutex>
 #include <new>
 #include <optional>
+#include <span>
 
+#include "core/descriptor.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 
@@ -78,20 +80,6 @@ void forgetHandlers() {
     }
 }
 
-// Whether all was written. Only then may the child say that it is done.
-bool writeAll(int file, const void* from, std::size_t size) {
-    const auto* bytes = static_cast<const char*>(from);
-    while (size > 0) {
-        const ssize_t count = ::write(file, bytes, size);
-        if (count < 0 && errno != EINTR) {
-            return false;
-        }
-        bytes += std::max<ssize_t>(count, 0);
-        size -= static_cast<std::size_t>(std::max<ssize_t>(count, 0));
-    }
-    return true;
-}
-
 // Each message goes after its length. None stands at the end.
 using Length = std::uint64_t;
 
@@ -109,7 +97,9 @@ using Length = std::uint64_t;
     pthread_sigmask(SIG_SETMASK, &none, nullptr);
     const Tell tell = [file](std::string_view message) {
         const Length length = message.size();
-        if (!writeAll(file, &length, sizeof length) || !writeAll(file, message.data(), message.size())) {
+        // Only if all was written, the child may say that it is done.
+        if (!writeAll(file, std::as_bytes(std::span(&length, 1))) ||
+            !writeAll(file, std::as_bytes(std::span(message)))) {
             _exit(unheard);
         }
     };
@@ -176,17 +166,8 @@ public:
     }
 
     // False at the end.
-    bool read(void* to, std::size_t size) const {
-        auto* bytes = static_cast<char*>(to);
-        while (size > 0) {
-            const ssize_t count = ::read(file, bytes, size);
-            if (count == 0 || (count < 0 && errno != EINTR)) {
-                return false;
-            }
-            bytes += std::max<ssize_t>(count, 0);
-            size -= static_cast<std::size_t>(std::max<ssize_t>(count, 0));
-        }
-        return true;
+    [[nodiscard]] bool read(std::span<std::byte> room) const {
+        return readAll(file, room) == static_cast<ssize_t>(room.size());
     }
 
     // Waits for it. Its status; none where the system keeps none, for a parent that does not want to know.
@@ -239,9 +220,9 @@ std::string runInChild(const std::function<void(const Tell&)>& work,
     Child child(work, limits);
     std::string message;
     Length length = 1;
-    while (length > 0 && child.read(&length, sizeof length)) {
+    while (length > 0 && child.read(std::as_writable_bytes(std::span(&length, 1)))) {
         message.resize(length);
-        if (length > 0 && child.read(message.data(), length)) {
+        if (length > 0 && child.read(std::as_writable_bytes(std::span(message)))) {
             hear(message);
         }
     }

@@ -12,6 +12,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/descriptor.hpp"
 #include "core/error.hpp"
 
 namespace raytorus {
@@ -59,18 +60,11 @@ InputFile::~InputFile() {
 }
 
 std::size_t InputFile::read(std::span<std::byte> room) {
-    std::size_t done = 0;
-    while (done < room.size()) {
-        const ssize_t got = ::read(file, room.data() + done, room.size() - done);
-        if (got == 0) {
-            break;
-        }
-        if (got < 0 && errno != EINTR) {
-            failReading(name, systemReason(errno));
-        }
-        done += static_cast<std::size_t>(std::max<ssize_t>(got, 0));
+    const ssize_t got = readAll(file, room);
+    if (got < 0) {
+        failReading(name, systemReason(errno));
     }
-    return done;
+    return static_cast<std::size_t>(got);
 }
 
 std::vector<std::byte> readFile(const fs::path& path) {

@@ -21,6 +21,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/descriptor.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 
@@ -195,12 +196,8 @@ void OutputFile::fail(int code) const {
 }
 
 void OutputFile::flush() {
-    for (std::span<const std::byte> rest = buffer; !rest.empty();) {
-        const ssize_t written = ::write(file, rest.data(), rest.size());
-        if (written < 0 && errno != EINTR) {
-            fail(errno);
-        }
-        rest = rest.subspan(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
+    if (!writeAll(file, buffer)) {
+        fail(errno);
     }
     buffer.clear();
 }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -92,9 +93,12 @@ std::vector<std::string> allFiles() {
 
 // A file that cannot be read is passed over by the loader itself.
 std::string problemOf(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
     std::error_code ignored;
-    if (!file || !fs::is_regular_file(path, ignored)) {
+    if (!fs::is_regular_file(path, ignored)) {
+        return {};  // to open a pipe would be to wait for somebody
+    }
+    std::ifstream file(path, std::ios::binary);
+    if (!file) {
         return {};
     }
     const std::string text(std::istreambuf_iterator<char>(file), {});

@@ -11,11 +11,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <new>
-#include <numeric>
 #include <system_error>
-#include <utility>
 
 #include "core/console.hpp"
+#include "core/edit_distance.hpp"
 #include "core/output_file.hpp"
 
 namespace raytorus::options {
@@ -31,21 +30,6 @@ ExitCode fail(std::string_view name, ExitCode code, std::string_view message) {
     }
     writeError(fmt::format("{}: {}\n", name, text));
     return code;
-}
-
-// Letters put in, left out or exchanged (Levenshtein).
-std::size_t changesBetween(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t before = std::exchange(row[0], i + 1);
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t exchanged = before + (a[i] == b[j] ? 0U : 1U);
-            before = row[j + 1];
-            row[j + 1] = std::min({exchanged, row[j] + 1, before + 1});
-        }
-    }
-    return row.back();
 }
 
 // What is opened next would get the number of a standard stream that the caller has closed, and what is said
@@ -84,7 +68,7 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
     std::size_t fewest = word.size() / 3 + 1;  // changes; with more it is another word
     std::string best;
     for (const std::string& name : known) {
-        const std::size_t changes = changesBetween(word, name);
+        const std::size_t changes = editDistance(word, name);
         if (changes < fewest || (changes == fewest && best.empty())) {
             fewest = changes;
             best = name;

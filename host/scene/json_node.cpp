@@ -9,27 +9,12 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <numeric>
 #include <vector>
+
+#include "core/edit_distance.hpp"
 
 namespace raytorus::scene {
 namespace {
-
-/// Levenshtein's distance, by rows.
-std::size_t editDistance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i + 1;
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t substitution = diagonal + (a[i] == b[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, substitution});
-        }
-    }
-    return row.back();
-}
 
 template <class Predicate>
 bool isVector(const Json& value, Predicate accepts) {

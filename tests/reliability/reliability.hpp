@@ -10,18 +10,16 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "support/program_test.hpp"
 #include "support/run_program.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace raytorus::test {
 
-inline constexpr const char* ringScene =
-    R"({"image": {"width": 24, "height": 16}, "tori": [{"majorRadius": 1, "minorRadius": 0.25}]})";
-
 class Reliability : public testing::Test {
 protected:
     Reliability() {
-        writeText(folder / "ring.json", ringScene);
+        writeText(folder / "ring.json", smallScene);
         writeText(folder / "rays.csv", "3,0,0,0,-1,0,0,inf\n");
         writeText(folder / "hits.csv", "old");
     }

@@ -276,7 +276,7 @@ TEST_F(Reliability, ControlCharactersInFiles) {
 TEST_F(Reliability, InputsAreNotOverwritten) {
     expectEnd("raytorus explain --scene ring.json --pixel 3,3 --svg ./ring.json", ExitCode::Usage,
               {"--svg would overwrite"});
-    EXPECT_EQ(text("ring.json"), ringScene);
+    EXPECT_EQ(text("ring.json"), smallScene);
     expectEnd("raytorus trace rays.csv -o ./rays.csv --torus 1,0.25", ExitCode::Usage,
               {"--output would overwrite"});
 }

@@ -130,7 +130,7 @@ TEST_F(ReliabilityWords, EmptyWords) {
 }
 
 TEST_F(ReliabilityWords, TheEndOfTheOptions) {
-    writeText(folder / "-r.json", ringScene);
+    writeText(folder / "-r.json", smallScene);
     expectEnd("raytorus render -o a.png -- -r.json", ExitCode::Ok);
     expectEnd("raytorus render ring.json -o a.png --", ExitCode::Ok);
     // "there is no option -o"
