@@ -5,30 +5,11 @@
 #ifndef TORUS_DOUBLE_FLOAT_GLSL
 #define TORUS_DOUBLE_FLOAT_GLSL
 
-// Whether doubts are decided and crossings refined by sums of two floats.
-#ifdef TORUS_FAST
-#define TORUS_EXACT false
-#else
-#define TORUS_EXACT true
-#endif
+#include "language.glsl"
 
-// `precise` forbids the reassociation and contraction that would change bits between drivers and undo error-free
-// operations. Compiled as another language, define it before the include as whatever says the same there. The fast tier
-// needs it in one place alone, and else lets the compiler contract.
-#ifdef TORUS_FAST
-#ifndef TORUS_ROUNDED
-#define TORUS_ROUNDED precise
-#endif
-#ifndef TORUS_PRECISE
-#define TORUS_PRECISE
-#endif
-#endif
-#ifndef TORUS_PRECISE
-#define TORUS_PRECISE precise
-#endif
-
-// The largest finite float32. An infinite tMax is read as this, so that nothing non-finite enters the arithmetic.
-#define TORUS_FLOAT_MAX 3.4028234e38
+// The largest finite float32. An infinite tMax is read as this, so that nothing non-finite enters the arithmetic. Not a
+// decimal number: some compilers round it up, and others refuse it then.
+#define TORUS_FLOAT_MAX uintBitsToFloat(0x7f7fffffu)
 
 // 1 / x for a power of two from 2^-126 to 2^126, exactly and without a division.
 float torus_invPowerOfTwo(float x) {

@@ -42,9 +42,11 @@
 // A shader that needs at least version 1.2.3 says `#define TORUS_VERSION_REQUIRED 10203` before the include.
 #ifdef TORUS_VERSION_REQUIRED
 #if TORUS_VERSION_REQUIRED > TORUS_VERSION
-#error "torus.glsl is older than TORUS_VERSION_REQUIRED"
+#error the library is older than TORUS_VERSION_REQUIRED
 #endif
 #endif
+
+#include "language.glsl"
 
 struct Torus {
     float majorRadius;
@@ -262,6 +264,52 @@ float torusImplicit(Torus torus, vec3 point) {
     TORUS_PRECISE float innerSheet = (p - torus.minorRadius) * (p + torus.minorRadius) + z2;
     TORUS_PRECISE float value = outerSheet * innerSheet;
     return value;
+}
+
+// What torusSelfCheck finds, of a compiler and a device together. The exact tier needs the first three.
+#define TORUS_CHECK_SUMS 1        // the rounding of a sum is found again: nothing is reassociated
+#define TORUS_CHECK_PRODUCTS 2    // ... and that of a product
+#define TORUS_CHECK_HIGHP 4       // a float has 24 bits, and reaches from 1e-30 to 1e30
+#define TORUS_CHECK_FUSED_FMA 8   // fma() rounds once: TORUS_FUSED_FMA gives the same bits. 0 where there is no fma()
+#define TORUS_CHECK_DENORMALS 16  // numbers below 2^-126 are kept
+
+// Whether the arithmetic here is what the library rests on. For those who take it to another language or device.
+//
+// one        1, from where no compiler knows it: a uniform or a buffer
+// returns    the sum of those TORUS_CHECK_... that hold
+int torusSelfCheck(float one) {
+    TORUS_PRECISE float little = one * 2.98023224e-8;  // 2^-25
+    TORUS_PRECISE float sum = one + little;
+    TORUS_PRECISE float sumError = torus_twoSumError(one, little, sum);
+    TORUS_PRECISE float factor = one + 2.44140625e-4;  // 1 + 2^-12
+    TORUS_PRECISE float square = factor * factor;
+    TORUS_PRECISE float squareError = torus_twoProductError(factor, factor, square);
+    TORUS_PRECISE float next = one + 1.1920929e-7;  // 1 + 2^-23
+    TORUS_PRECISE float step = next - one;
+    TORUS_PRECISE float large = one * 1.0e30;
+    TORUS_PRECISE float tiny = one * 1.0e-30;
+    TORUS_PRECISE float least = one * 1.17549435e-38;  // 2^-126
+    TORUS_PRECISE float denormal = least * 0.5;
+    int holds = 0;
+    if (sum == 1.0 && sumError == 2.98023224e-8) {
+        holds += TORUS_CHECK_SUMS;
+    }
+    if (squareError == 5.96046448e-8) {  // 2^-24
+        holds += TORUS_CHECK_PRODUCTS;
+    }
+    if (step == 1.1920929e-7 && large > 0.9e30 && large < 1.1e30 && tiny > 0.9e-30 && tiny < 1.1e-30) {
+        holds += TORUS_CHECK_HIGHP;
+    }
+#ifndef TORUS_NO_FMA
+    TORUS_PRECISE float fused = fma(factor, factor, -square);
+    if (fused == 5.96046448e-8) {
+        holds += TORUS_CHECK_FUSED_FMA;
+    }
+#endif
+    if (floatBitsToUint(denormal) == 0x00400000u) {
+        holds += TORUS_CHECK_DENORMALS;
+    }
+    return holds;
 }
 
 #endif

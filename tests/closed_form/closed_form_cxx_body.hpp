@@ -26,6 +26,7 @@ using uint = std::uint32_t;
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 #define TORUS_PRECISE
+#define TORUS_NO_FMA
 #define float Float
 #include "torus_cxx/closed_form.glsl"
 #undef float

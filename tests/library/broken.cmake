@@ -145,5 +145,5 @@ replace("${copy}/examples/cmake_project/CMakeLists.txt" "find_package(raytorus 0
 run_broken(examples_cmake_project "with_installation/build" "-DEXAMPLES=${copy}/examples" "-DGENERATOR=${GENERATOR}")
 copy_shaders()
 replace("${copy}/examples/cmake_project/depth.comp" "TORUS_VERSION_REQUIRED 100" "TORUS_VERSION_REQUIRED 990000")
-run_broken(examples_cmake_project "torus.glsl is older" "-DEXAMPLES=${copy}/examples" "-DGENERATOR=${GENERATOR}")
+run_broken(examples_cmake_project "the library is older" "-DEXAMPLES=${copy}/examples" "-DGENERATOR=${GENERATOR}")
 finish()

@@ -17,6 +17,7 @@ vec3 torusPosition(Torus torus, vec2 uv)
 void torusTangents(Torus torus, vec3 position, out vec3 dPdu, out vec3 dPdv)
 float torusDistance(Torus torus, vec3 point)
 float torusImplicit(Torus torus, vec3 point)
+int torusSelfCheck(float one)
 #define TORUS_VERSION_MAJOR
 #define TORUS_VERSION_MINOR
 #define TORUS_VERSION_PATCH

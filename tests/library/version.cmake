@@ -30,7 +30,7 @@ require_tool(glslang glslangValidator glslang-tools)
 execute_process(
     COMMAND "${glslang}" --quiet "-I${LIBRARY}" -V -DTORUS_VERSION_REQUIRED=${larger} -o "${shader}.spv" "${shader}"
     RESULT_VARIABLE result OUTPUT_VARIABLE said)
-set(expected "torus[.]glsl:[0-9]+: '#error' : torus[.]glsl is older than TORUS_VERSION_REQUIRED")
+set(expected "torus[.]glsl:[0-9]+: '#error' : the library is older than TORUS_VERSION_REQUIRED")
 if(result EQUAL 0 OR NOT said MATCHES "${expected}")
     fault("TORUS_VERSION_REQUIRED ${larger}: result ${result}\n${said}")
 endif()

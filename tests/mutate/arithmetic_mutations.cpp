@@ -12,11 +12,11 @@ constexpr const char* torus = "torus/torus.glsl";
 constexpr const char* crossing = "torus/crossing.glsl";
 
 constexpr Mutation rows[] = {
-    {"precise-dropped", arithmetic, "#define TORUS_PRECISE precise", "#define TORUS_PRECISE",
+    {"precise-dropped", "torus/language.glsl", "#define TORUS_PRECISE precise", "#define TORUS_PRECISE",
      "the compiler takes the compensations for zero"},
     {"reciprocal-halved", arithmetic, "0x7f000000u - floatBitsToUint(x)", "0x7e800000u - floatBitsToUint(x)",
      "the bias of the exponent off by one"},
-    {"largest-float", arithmetic, "#define TORUS_FLOAT_MAX 3.4028234e38", "#define TORUS_FLOAT_MAX 1.0e3",
+    {"largest-float", arithmetic, "#define TORUS_FLOAT_MAX uintBitsToFloat(0x7f7fffffu)", "#define TORUS_FLOAT_MAX 1.0e3",
      "what stands for an infinite end is too near"},
     {"two-sum-halved", arithmetic, "(a - (sum - bInSum)) + (b - bInSum)", "b - bInSum",
      "right only where a is the larger one", Shows::InNumbers},

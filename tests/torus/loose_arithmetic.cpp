@@ -150,6 +150,7 @@ inline vec3 operator*(Float s, const vec3& a) {
 }
 
 #define TORUS_PRECISE
+#define TORUS_NO_FMA
 #define float Float
 #include "torus_cxx/torus.glsl"
 #undef float
