@@ -98,3 +98,53 @@ build() {
         NINJA_STATUS='%p ' "${command[@]}" 2>&1 | every_tenth || fail "building failed, see above"
     fi
 }
+
+# port_tools: what runs the library in other languages, into build/ports.
+port_tools() {
+    local listed=tests/ports/requirements.txt
+    [[ ! -e build/ports/installed || $listed -nt build/ports/installed ]] || return 0
+    [[ ${RAYTORUS_INSTALL:-yes} != no ]] || return 0
+    echo "Installing Python packages into build/ports"
+    quietly build/ports.log python3 -m venv build/ports || fail "python3 -m venv build/ports failed (Debian package python3-venv)"
+    quietly build/ports.log build/ports/bin/pip install --quiet --requirement "$listed" ||
+        fail "pip could not install what $listed lists (is there a network? see build/ports.log)"
+    touch build/ports/installed
+}
+
+# port_compilers: DXC and Slang, which are inside of Python packages that are not needed themselves.
+port_compilers() {
+    local folder=build/ports/fetching dxc=build/ports/dxc
+    [[ ! -x $dxc || ! -x build/ports/slangc ]] || return 0
+    echo "Fetching DXC and Slang into build/ports"
+    mkdir -p "$folder"
+    quietly build/ports.log build/ports/bin/pip download --quiet --no-deps --dest "$folder" \
+        compushady==0.17.5 slangtorch==1.3.22 slangpy==0.43.1 || fail "pip could not fetch DXC and Slang, see build/ports.log"
+    tar -xzf "$folder"/compushady-*.tar.gz -C "$folder"
+    local headers=("$folder"/compushady-*/compushady/backends)
+    quietly build/ports.log c++ -std=c++17 -w -fms-extensions "-I${headers[0]}" tests/ports/dxc.cpp -o "$dxc" -ldl ||
+        fail "tests/ports/dxc.cpp does not compile"
+    cp "${headers[0]}/libdxcompiler_x86_64.so.3.7" build/ports/libdxcompiler.so
+    python3 - "$folder" build/ports <<'PYTHON'
+import pathlib, sys, zipfile
+folder, to = map(pathlib.Path, sys.argv[1:])
+# slangtorch has the compiler without what writes SPIR-V; of slangpy that library alone is taken, by the name asked for.
+wanted = {"slangtorch": ("slangc", "libslang-compiler", "libslang-glsl-module"), "slangpy": ("libslang-glslang",)}
+for wheel in folder.glob("*.whl"):
+    with zipfile.ZipFile(wheel) as archive:
+        for name in archive.namelist():
+            base = pathlib.PurePath(name).name
+            if base.startswith(wanted[wheel.name.split("-")[0]]):
+                (to / base).write_bytes(archive.read(name))
+version = next(to.glob("libslang-glsl-module-*.so")).stem.rsplit("-", 1)[1]
+next(to.glob("libslang-glslang-*.so")).rename(to / f"libslang-glslang-{version}.so")
+(to / "slangc").chmod(0o755)
+PYTHON
+    rm -r "$folder"
+}
+
+# port_drivers: the Vulkan drivers' JSON files for them, with a colon between.
+port_drivers() {
+    local installed
+    installed=$(find /usr/share/vulkan/icd.d /etc/vulkan/icd.d -name 'lvp_icd*.json' 2>/dev/null | head -n 1)
+    echo "${installed:+$installed:}$PWD/build/drivers/swiftshader.json"
+}
