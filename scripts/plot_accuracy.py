@@ -134,7 +134,7 @@ def draw_histogram(path, method, cells):
     table = next(iter(merged(cells, lambda cell: 0).values()))
     bins = sorted((upper, count) for upper, count in table.items() if upper != "max" and upper > 1e-10)
     most = max(count for _, count in bins)
-    total = sum(count for _, count in bins)
+    total = sum(count for upper, count in table.items() if upper != "max")
     top = 10.0 ** math.ceil(math.log10(most))
     plot = Plot(f"Position errors of {total:,} hits of clear rays ({method})".replace(",", " "), "position error in R + r",
                 "hits in a bin (a sixteenth of a power of two)", (2e-10, 2e-7), (0.7, top),
