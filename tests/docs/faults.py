@@ -28,6 +28,7 @@ PAGES = [
     ([CHECK], "<!-- check: echo 100\n     within: 5 %, it varies\n     text: # ms -->\n\n104 ms\n", 0, "1 as printed"),
     ([CHECK], "<!-- check: echo 100\n     within: 5 %, it varies\n     text: # ms -->\n\n110 ms\n", 1, "documented 110"),
     ([CHECK], "<!-- check: sleep 1\n     takes: 6 min\n     text: # -->\n\n1\n", 0, "1 left out"),
+    ([CHECK], "<!-- check: echo version 7\n     only: version 8\n     text: # -->\n\n1\n", 0, "1 left out"),
     ([CHECK], "<!-- check: exit 3\n     text: # -->\n\n1\n", 1, "exit code 3"),
     ([CHECK], CODE.format("three 3"), 0, "1 as printed"),
     ([CHECK], CODE.format("three 4"), 1, "documented three 4"),
