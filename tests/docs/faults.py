@@ -30,6 +30,7 @@ PAGES = [
     ([CHECK], "<!-- check: sleep 1\n     takes: 6 min\n     text: # -->\n\n1\n", 0, "1 left out"),
     ([CHECK], "<!-- check: echo version 7\n     only: version 8\n     text: # -->\n\n1\n", 0, "1 left out"),
     ([CHECK], "<!-- check: exit 3\n     text: # -->\n\n1\n", 1, "exit code 3"),
+    ([CHECK], "1\n\n<!-- check: echo 1\n     text: # -->\n", 1, "does not say"),
     ([CHECK], CODE.format("three 3"), 0, "1 as printed"),
     ([CHECK], CODE.format("three 4"), 1, "documented three 4"),
     ([CHECK, "--unmarked"], "| n |\n|---|\n| 1 |\n", 1, ":1: this table"),
