@@ -1,55 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "truth/sample.hpp"
 
-#include "reference/intersect.hpp"
+#include "truth/crossings.hpp"
 
 namespace raytorus::truth {
 namespace {
 
-// Whether the line certainly misses the sphere round the torus: an intersection in many bits costs a thousand
-// times as much. Doubles lose some 1e-15 of the origin's distance, the rows of the rotation 1e-7 of the size.
+// The crossings of a ray of the world with all tori.
 template <class Real>
-bool passesBy(const Ray<Real>& local, double radius) {
-    const Vec3<double> origin = toDoubles(local.origin);
-    const Vec3<double> direction = toDoubles(local.direction);
-    const double toFoot = -dot(origin, direction) / dot(direction, direction);
-    const double nearest = length(origin + toFoot * direction);
-    return nearest > radius * (1.0 + 1e-6) + 1e-14 * length(origin);
-}
-
-template <class Real>
-reference::BasicTorus<Real> exactShape(const scene_io::SceneTorus& torus) {
-    return {exactly<Real>(torus.radii.x), exactly<Real>(torus.radii.y)};
-}
-
-// The crossings of a ray with all tori. t counts in lengths of the direction, from 0.
-template <class Real>
-struct Crossings {
-    int torus = -1;  // that is hit first, or -1
-    Real t{};
-    Vec3<Real> position{};  // of that hit, in its torus' frame
-    int count = 0;          // of surfaces
-};
-
-template <class Real>
-Crossings<Real> crossings(const SceneData& scene, const Ray<Real>& ray, double tMax) {
-    Crossings<Real> found;
-    for (std::size_t i = 0; i < scene.tori.size(); ++i) {
-        const scene_io::SceneTorus& torus = scene.tori[i];
-        const Ray<Real> local = toTorus(torus, ray);
-        if (passesBy(local, outerRadius(torus))) {
-            continue;
-        }
-        const reference::BasicRay<Real> whole(local.origin, Real(0.0), local.direction, Real(tMax));
-        const auto hits = reference::intersectAs<Real>(exactShape<Real>(torus), whole);
-        found.count += hits.count;
-        if (hits.count > 0 && (found.torus < 0 || hits.hits[0].t < found.t)) {
-            found.torus = static_cast<int>(i);
-            found.t = hits.hits[0].t;
-            found.position = hits.hits[0].position;
-        }
-    }
-    return found;
+Crossings<Real> crossingsOf(const SceneData& scene, const Ray<Real>& ray, double tMax) {
+    return crossings<Real>(
+        scene, [&ray](const scene_io::SceneTorus& torus) { return toTorus(torus, ray); }, tMax);
 }
 
 }  // namespace
@@ -58,12 +19,13 @@ reference::BasicIntersections<double> quickCrossings(const scene_io::SceneTorus&
                                                      const Ray<DoubleDouble>& local) {
     const reference::BasicRay<DoubleDouble> whole(local.origin, DoubleDouble(0.0), local.direction,
                                                   DoubleDouble(farthest));
-    return reference::intersectAs<DoubleDouble, double>(exactShape<DoubleDouble>(torus), whole);
+    return reference::intersectAs<DoubleDouble, double>(reference::BasicTorus<DoubleDouble>(shapeOf(torus)),
+                                                        whole);
 }
 
 template <class Real, class Surface>
 Sample<Surface> traceSample(const SceneData& scene, const Ray<Real>& ray) {
-    const Crossings<Real> hit = crossings(scene, ray, farthest);
+    const Crossings<Real> hit = crossingsOf(scene, ray, farthest);
     Sample<Surface> sample;
     sample.torus = hit.torus;
     sample.count = hit.count;
@@ -86,7 +48,7 @@ Sample<Surface> traceSample(const SceneData& scene, const Ray<Real>& ray) {
         const bool facing = dot(normal, path) > Surface(0.0);
         const Ray<Real> shadow{reference::convert<Real>(start), reference::convert<Real>(path)};
         sample.reaching[static_cast<std::size_t>(i)] =
-            !facing || crossings(scene, shadow, isPointLight(light) ? 1.0 : farthest).count == 0;
+            !facing || crossingsOf(scene, shadow, isPointLight(light) ? 1.0 : farthest).count == 0;
     }
     sample.color = shaded(scene, torus, sample.point, toEye, sample.otherField, sample.reaching);
     return sample;

@@ -6,9 +6,6 @@
 
 namespace raytorus::truth {
 
-/// Where rays end that do not end at a light, as the definition has it.
-inline constexpr double farthest = double{3.0e38F};
-
 /// All crossings of one torus by a ray in its frame, reduced in 104 bits and solved in doubles: right to
 /// 1e-10 of its size where the ray is not as good as tangent, at any distance, and a hundred times as fast.
 reference::BasicIntersections<double> quickCrossings(const scene_io::SceneTorus& torus,

@@ -19,6 +19,9 @@ struct SceneData {
 
 SceneData makeSceneData(const scene::Scene& scene, int width, int height);
 
+/// Where rays end that do not end at a light, as the definition has it.
+inline constexpr double farthest = double{3.0e38F};
+
 template <class Real>
 struct Ray {
     Vec3<Real> origin, direction;

@@ -2,118 +2,58 @@
 #include "viewer/analysis.hpp"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <utility>
 
-#include "reference/double_double.hpp"
 #include "reference/intersect.hpp"
-#include "scene/pack.hpp"
 #include "trace/pixel_ray.hpp"
+#include "trace/trace_ray.hpp"
+#include "truth/crossings.hpp"
 #include "viewer/view_io.h"
 
 namespace raytorus::viewer {
 namespace {
 
-using Vector = std::array<double, 3>;
+using reference::DoubleDouble;
+using reference::Quad;
+using reference::Vec3;
+using truth::operator+;
+using truth::operator-;
 
 constexpr int tileSide = 32;
 
-double distanceOf(const Vector& a, const Vector& b) {
-    return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
-                     (a[2] - b[2]) * (a[2] - b[2]));
-}
-
-// A hit of the reference in its torus' frame.
-struct TrueHit {
-    int torus = -1;  // of the scene
-    const scene_io::SceneTorus* placed = nullptr;
-    double t = std::numeric_limits<double>::infinity();
-    Vector position{};
-};
-
-// sceneFromTorus() and sceneOriginOf() of scene.glsl, without their roundings.
-Vector toWorld(const scene_io::SceneTorus& torus, const Vector& v) {
-    Vector world{};
-    for (int i = 0; i < 3; ++i) {
-        world[static_cast<std::size_t>(i)] = v[0] * static_cast<double>(torus.row0[i]) +
-                                             v[1] * static_cast<double>(torus.row1[i]) +
-                                             v[2] * static_cast<double>(torus.row2[i]);
-    }
-    return {world[0] + static_cast<double>(torus.row0.w), world[1] + static_cast<double>(torus.row1.w),
-            world[2] + static_cast<double>(torus.row2.w)};
+Vec3<double> toWorld(const scene_io::SceneTorus& torus, const Vec3<double>& v) {
+    return truth::fromTorus(torus, v) + truth::originOf<double>(torus);
 }
 
 // From the world into the frame. The rows are floats and not quite orthonormal: two rounds of refinement
 // invert them.
-Vector toFrame(const scene_io::SceneTorus& torus, const Vector& world) {
-    const auto turned = [&torus](const Vector& w) {
-        const std::array rows = {&torus.row0, &torus.row1, &torus.row2};
-        Vector v{};
-        for (std::size_t i = 0; i < 3; ++i) {
-            v[i] = static_cast<double>(rows[i]->x) * w[0] + static_cast<double>(rows[i]->y) * w[1] +
-                   static_cast<double>(rows[i]->z) * w[2];
-        }
-        return v;
-    };
-    Vector v{};
+Vec3<double> toFrame(const scene_io::SceneTorus& torus, const Vec3<double>& world) {
+    Vec3<double> v{};
     for (int round = 0; round < 3; ++round) {
-        const Vector at = toWorld(torus, v);
-        const Vector step = turned({world[0] - at[0], world[1] - at[1], world[2] - at[2]});
-        v = {v[0] + step[0], v[1] + step[1], v[2] + step[2]};
+        v = v + truth::toTorus(torus, world - toWorld(torus, v));
     }
     return v;
 }
 
 double unitOf(const scene_io::SceneTorus& torus) {
-    const double centre =
-        std::max({std::abs(static_cast<double>(torus.row0.w)), std::abs(static_cast<double>(torus.row1.w)),
-                  std::abs(static_cast<double>(torus.row2.w))});
-    return std::ldexp(static_cast<double>(torus.radii.x) + static_cast<double>(torus.radii.y) + centre, -24);
+    const Vec3<double> centre = truth::originOf<double>(torus);
+    const double largest = std::max({std::abs(centre[0]), std::abs(centre[1]), std::abs(centre[2])});
+    return std::ldexp(truth::outerRadius(torus) + largest, -24);
 }
 
-// Can the ray come near the torus at all? In double, with room for every rounding.
-bool mayMeet(const scene_io::SceneTorus& torus, const trace::TraceRay& ray) {
-    double along = 0.0;
-    double square = 0.0;
-    double length = 0.0;
-    const std::array centre = {torus.row0.w, torus.row1.w, torus.row2.w};
-    for (std::size_t i = 0; i < 3; ++i) {
-        const double d = static_cast<double>(ray.direction[i]);
-        const double o = static_cast<double>(ray.origin[i]) - static_cast<double>(centre[i]);
-        along += o * d;
-        square += o * o;
-        length += d * d;
-    }
-    const double radius = 1.001 * (static_cast<double>(torus.radii.x) + static_cast<double>(torus.radii.y));
-    const double apart = square - along * along / length;
-    return apart <= radius * radius + 1e-6 * square && (along <= 0.0 || square <= radius * radius);
-}
-
-struct Truth {
-    TrueHit nearest;
-    int count = 0;
-};
-
+// What the ray crosses that the shaders send through a pixel, as they give it to the library.
 template <class Real, class Solving>
-void meet(const scene_io::SceneTorus& placed, const reference::Ray& ray, Truth& truth) {
-    const reference::Torus torus{placed.radii.x, placed.radii.y};
-    const auto found = reference::intersectAs<Real, Solving>(reference::BasicTorus<Real>(torus),
-                                                             reference::BasicRay<Real>(ray));
-    truth.count += found.count;
-    if (found.count == 0) {
-        return;
-    }
-    const double t = reference::toDouble(found.hits[0].t);
-    if (t < truth.nearest.t) {
-        truth.nearest = {placed.names.x, &placed, t, {}};
-        for (std::size_t i = 0; i < 3; ++i) {
-            truth.nearest.position[i] = reference::toDouble(found.hits[0].position[i]);
-        }
-    }
+truth::Crossings<double> shaderCrossings(const truth::SceneData& scene, const trace::TraceRay& ray) {
+    const auto found = truth::crossings<Real, Solving>(
+        scene,
+        [&ray](const scene_io::SceneTorus& torus) {
+            const reference::BasicRay<Real> local(trace::asReferenceRay(trace::rayInFrame(torus, ray)));
+            return truth::Ray<Real>{local.origin, local.direction};
+        },
+        truth::farthest);
+    return {found.torus, reference::toDouble(found.t), truth::toDoubles(found.position), found.count};
 }
 
 std::vector<std::pair<int, int>> tilesFromTheMiddle(int width, int height) {
@@ -133,32 +73,8 @@ std::vector<std::pair<int, int>> tilesFromTheMiddle(int width, int height) {
 
 }  // namespace
 
-struct PixelJudge::Data {
-    scene_io::SceneFrame frame;
-    std::vector<scene_io::SceneTorus> tori;
-
-    template <class Real, class Solving>
-    [[nodiscard]] Truth trace(const trace::TraceRay& ray) const {
-        Truth truth;
-        for (const scene_io::SceneTorus& torus : tori) {
-            if (mayMeet(torus, ray)) {
-                meet<Real, Solving>(torus, std::bit_cast<reference::Ray>(trace::rayInFrame(torus, ray)),
-                                    truth);
-            }
-        }
-        return truth;
-    }
-};
-
 PixelJudge::PixelJudge(const scene::Scene& scene, int width, int height)
-    : data(std::make_unique<Data>(Data{scene::makeFrame(scene, width, height), {}})) {
-    for (std::size_t i = 0; i < scene.tori.size(); ++i) {
-        data->tori.push_back(scene::makeTorus(scene.tori[i], i));
-    }
-}
-
-PixelJudge::~PixelJudge() = default;
-PixelJudge::PixelJudge(PixelJudge&&) noexcept = default;
+    : data(truth::makeSceneData(scene, width, height)) {}
 
 PixelAnalysis PixelJudge::judge(const image::Image& picture, int x, int y) const {
     const std::span<const float> pixel = picture.pixel(x, y);
@@ -167,11 +83,11 @@ PixelAnalysis PixelJudge::judge(const image::Image& picture, int x, int y) const
     };
     const int id = static_cast<int>(value("id"));
     const int count = static_cast<int>(value("count"));
-    const trace::TraceRay ray = trace::cameraRay(data->frame, x, y);
-    Truth truth = data->trace<reference::DoubleDouble, double>(ray);
-    const auto agrees = [&] { return truth.nearest.torus == id && truth.count == count; };
+    const trace::TraceRay ray = trace::cameraRay(data.frame, x, y);
+    truth::Crossings<double> right = shaderCrossings<DoubleDouble, double>(data, ray);
+    const auto agrees = [&] { return right.torus == id && right.count == count; };
     if (!agrees()) {  // only the arbiter may accuse
-        truth = data->trace<reference::Quad, reference::Quad>(ray);
+        right = shaderCrossings<Quad, Quad>(data, ray);
     }
     PixelAnalysis result;
     if (!agrees()) {
@@ -182,16 +98,14 @@ PixelAnalysis PixelJudge::judge(const image::Image& picture, int x, int y) const
         result.state = ANALYSIS_MISS;
         return result;
     }
-    const scene_io::SceneTorus& torus = *truth.nearest.placed;
-    const Vector found{value("position.x"), value("position.y"), value("position.z")};
+    const scene_io::SceneTorus& torus = data.tori[static_cast<std::size_t>(id)];
+    const Vec3<double> found{value("position.x"), value("position.y"), value("position.z")};
     const double unit = unitOf(torus);
-    const Vector local = toFrame(torus, found);
-    const double fromRing =
-        std::sqrt(local[0] * local[0] + local[1] * local[1]) - static_cast<double>(torus.radii.x);
     result.state = ANALYSIS_HIT;
     result.fromSurface =
-        (std::sqrt(fromRing * fromRing + local[2] * local[2]) - static_cast<double>(torus.radii.y)) / unit;
-    result.fromReference = distanceOf(found, toWorld(torus, truth.nearest.position)) / unit;
+        reference::tubeDistance(reference::BasicTorus<double>(truth::shapeOf(torus)), toFrame(torus, found)) /
+        unit;
+    result.fromReference = truth::length(found - toWorld(torus, right.position)) / unit;
     if (!std::isfinite(result.fromReference)) {  // no number, which is larger than no bound
         result = {ANALYSIS_WRONG, 0.0, 0.0};
     }

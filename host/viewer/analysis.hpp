@@ -8,13 +8,13 @@
 #pragma once
 
 #include <atomic>
-#include <memory>
 #include <mutex>
 #include <thread>
 #include <vector>
 
 #include "image/image.hpp"
 #include "scene/scene.hpp"
+#include "truth/scene_data.hpp"
 
 namespace raytorus::viewer {
 
@@ -32,19 +32,15 @@ struct PixelAnalysis {
     double fromReference = 0.0;  ///< in units
 };
 
-/// One pixel of a picture that has the channels of render().
-/// frame: the scene as the shaders read it for this size, made once for all pixels.
+/// Judges pixels of a picture that has the channels of render().
 class PixelJudge {
 public:
     PixelJudge(const scene::Scene& scene, int width, int height);
-    ~PixelJudge();
-    PixelJudge(PixelJudge&&) noexcept;
 
     [[nodiscard]] PixelAnalysis judge(const image::Image& picture, int x, int y) const;
 
 private:
-    struct Data;
-    std::unique_ptr<Data> data;
+    truth::SceneData data;
 };
 
 class Analysis {
