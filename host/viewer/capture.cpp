@@ -5,10 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <span>
 
 #include "core/error.hpp"
+#include "core/file.hpp"
 #include "image/image_io.hpp"
 #include "image/srgb.hpp"
+#include "scene/scene_json.hpp"
 
 namespace raytorus::viewer {
 
@@ -33,28 +37,11 @@ void writeDisplayed(const std::filesystem::path& path, image::Image displayed) {
     image::writeImage(path, displayed);
 }
 
-namespace {
-
-image::Image colorsOf(const image::Image& picture) {
-    image::Image colors(picture.width, picture.height, {"R", "G", "B", "A"});
-    const auto channels = static_cast<std::size_t>(picture.channelCount());
-    for (std::size_t i = 0; i < colors.pixels.size(); ++i) {
-        colors.pixels[i] = picture.pixels[i / 4 * channels + i % 4];
-    }
-    return colors;
-}
-
-}  // namespace
-
-void writePicture(const std::filesystem::path& path, View view, Pictures& pictures, ViewPass& viewPass) {
-    if (path.extension() == ".exr") {
-        image::writeImage(path, pictures.side(0).readBack(pictures.extent()));
-    } else if (view == View::Shaded && !pictures.hasRight()) {
-        // From the linear colours themselves, so that it is the PNG that render writes.
-        image::writeImage(path, colorsOf(pictures.side(0).readBack(pictures.extent())));
-    } else {
-        writeDisplayed(path, viewPass.readBack());
-    }
+void writeScene(const std::filesystem::path& path, scene::Scene scene, VkExtent2D size) {
+    scene.imageWidth = static_cast<int>(size.width);
+    scene.imageHeight = static_cast<int>(size.height);
+    const std::string text = scene::writeScene(scene);
+    writeFile(path, std::as_bytes(std::span(text)));
 }
 
 }  // namespace raytorus::viewer

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Pictures and scenes into files, under names that are still free.
+// Files that the window writes.
 #pragma once
+
+#include <vulkan/vulkan.h>
 
 #include <filesystem>
 #include <string>
 
 #include "image/image.hpp"
-#include "viewer/pictures.hpp"
-#include "viewer/view_pass.hpp"
+#include "scene/scene.hpp"
 
 namespace raytorus::viewer {
 
@@ -18,7 +19,7 @@ std::filesystem::path freeName(const std::filesystem::path& folder, const std::s
 /// A picture as displayed (R, G, B in [0, 1], multiples of 1/255 or nearly), into a PNG of these values.
 void writeDisplayed(const std::filesystem::path& path, image::Image displayed);
 
-/// The picture of the left side, into an .exr file with every channel, or into a .png as the view shows it.
-void writePicture(const std::filesystem::path& path, View view, Pictures& pictures, ViewPass& viewPass);
+/// The scene, with pictures of this size.
+void writeScene(const std::filesystem::path& path, scene::Scene scene, VkExtent2D size);
 
 }  // namespace raytorus::viewer

@@ -1,36 +1,93 @@
 // SPDX-License-Identifier: MIT
-// Every key and what it does: one table for the keyboard, the help on the screen and the documentation.
+// What keys, panels, gestures and scripts ask for, beyond changes of the state: commands, which wait in a
+// queue until they can be served.
 #pragma once
 
-#include <span>
+#include <filesystem>
 #include <string>
-
-#include "viewer/state.hpp"
+#include <variant>
+#include <vector>
 
 namespace raytorus::viewer {
 
-struct Command {
-    const char* keys;  ///< as shown: "Shift+Left"
-    int key;           ///< GLFW's
-    int modifiers;     ///< GLFW_MOD_SHIFT and GLFW_MOD_CONTROL, nothing else is told apart
-    const char* group;
-    const char* description;
-    void (*run)(State&);
+/// When a command can be served.
+enum class Moment {
+    AtOnce,
+    AtRest,    ///< the picture has all its samples
+    Complete,  ///< and all is known about it that the view shows
+    Panel,     ///< the panel is being drawn
+    Frame,     ///< a frame has been shown
 };
 
-std::span<const Command> commands();
-
-/// Runs the command of a key. False: there is none.
-bool runCommand(State& state, int key, int modifiers);
-
-/// A line a command, in groups, as `--list-keys` prints them.
-std::string keyTable();
-
-/// "shift+left drag" and the like: what the pointer does.
-struct Gesture {
-    const char* gesture;
-    const char* description;
+struct Quit {
+    static constexpr Moment moment = Moment::AtOnce;
 };
-std::span<const Gesture> gestures();
+struct ToggleFullScreen {
+    static constexpr Moment moment = Moment::AtOnce;
+};
+struct Minimise {
+    static constexpr Moment moment = Moment::AtOnce;
+};
+struct OpenScene {
+    static constexpr Moment moment = Moment::AtOnce;
+    std::string file;
+};
+/// The scene's and the edited shaders'.
+struct ReadFilesAgain {
+    static constexpr Moment moment = Moment::AtOnce;
+};
+/// Under the next free name.
+struct SaveScene {
+    static constexpr Moment moment = Moment::AtOnce;
+};
+struct CopyText {
+    static constexpr Moment moment = Moment::AtOnce;
+    std::string text;
+};
+struct ShowTime {
+    static constexpr Moment moment = Moment::AtOnce;
+    double seconds = 0.0;
+};
+/// As the picture is now: for who has waited until it is complete.
+struct WritePicture {
+    static constexpr Moment moment = Moment::AtOnce;
+    std::filesystem::path file;
+};
+/// Takes a pixel apart.
+struct TakeApart {
+    static constexpr Moment moment = Moment::AtRest;
+    int x = 0;
+    int y = 0;
+};
+/// Under the next free name.
+struct SavePicture {
+    static constexpr Moment moment = Moment::Complete;
+    std::string extension;
+};
+/// Gives the keys to the panel.
+struct FocusPanel {
+    static constexpr Moment moment = Moment::Panel;
+};
+/// With its panels, under the next free name.
+struct SaveWindow {
+    static constexpr Moment moment = Moment::Frame;
+};
+
+using Command = std::variant<Quit, ToggleFullScreen, Minimise, OpenScene, ReadFilesAgain, SaveScene, CopyText,
+                             ShowTime, WritePicture, TakeApart, SavePicture, FocusPanel, SaveWindow>;
+
+class CommandQueue {
+public:
+    /// Of pixels to be taken apart only the last one waits.
+    void push(Command command);
+
+    [[nodiscard]] bool waits(Moment moment) const;
+
+    /// Takes out what waits for the moment, in the order in which it came.
+    [[nodiscard]] std::vector<Command> take(Moment moment);
+
+private:
+    std::vector<Command> waiting;
+};
 
 }  // namespace raytorus::viewer

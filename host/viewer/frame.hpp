@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What a frame of the window consists of: the view, enlarged to the window, and the panels over it.
+// The frames of the window: the view, enlarged to the window, and the panels over it.
 #pragma once
 
 #include <vulkan/vulkan.h>
 
-#include "gpu/buffer.hpp"
+#include <algorithm>
+#include <functional>
+#include <optional>
+
 #include "gpu/context.hpp"
 #include "gpu/image.hpp"
 #include "image/image.hpp"
@@ -12,6 +15,9 @@
 #include "viewer/swapchain.hpp"
 
 namespace raytorus::viewer {
+
+/// Frames that are shown after an input, until ImGui has settled.
+inline constexpr int settlingFrames = 3;
 
 /// Where in the window a picture of this size is seen: the largest rectangle of its shape, in the middle.
 /// A picture of the window's size is seen unchanged.
@@ -24,22 +30,36 @@ struct FramePicture {
     bool fills = false;
 };
 
-/// A copy of a frame as it is shown, panels and all.
-class FrameCopy {
+/// Shows frames on a window, as many as have to be.
+class WindowFrames {
 public:
-    FrameCopy(const gpu::Context& context, VkExtent2D extent);
+    /// Both outlive it.
+    WindowFrames(gpu::Context& context, const Window& window);
 
-    void record(VkCommandBuffer commands, VkImage image) const;
-    /// R, G, B as displayed, in [0, 1].
-    [[nodiscard]] image::Image picture(VkFormat format) const;
+    /// Something of what is seen is another: at least so many frames are to be shown.
+    void need(int frames = settlingFrames) { missing = std::max(missing, frames); }
+    [[nodiscard]] bool needed() const { return missing > 0; }
+
+    /// The last frame was not taken by the window.
+    [[nodiscard]] bool late() const { return notTaken; }
+
+    /// Shows a frame. drawPanels: calls ImGui. False: the window did not take it. contents: if not null, the
+    /// frame as it is displayed (R, G, B in [0, 1]), or nothing where windows cannot be read back.
+    bool show(const FramePicture& picture, const std::function<void()>& drawPanels,
+              std::optional<image::Image>* contents);
+
+    [[nodiscard]] Gui& panels() { return gui; }
+    [[nodiscard]] const Gui& panels() const { return gui; }
+
+    /// Whether the window turns linear values into sRGB by itself.
+    [[nodiscard]] bool encodesSrgb() const { return swapchain.encodesSrgb(); }
 
 private:
-    VkExtent2D extent;
-    gpu::Buffer buffer;
+    gpu::Context* context;
+    Swapchain swapchain;
+    Gui gui;
+    int missing = settlingFrames;
+    bool notTaken = false;
 };
-
-/// Records a frame: `copy` may be null.
-void recordFrame(VkCommandBuffer commands, const FrameTarget& target, const FramePicture& picture,
-                 const Gui& gui, VkRenderPass pass, const FrameCopy* copy);
 
 }  // namespace raytorus::viewer

@@ -2,7 +2,6 @@
 // raytorus-view: a window onto a scene of tori.
 #include "options/program.hpp"
 #include "viewer/viewer.hpp"
-#include "viewer/viewer_options.hpp"
 
 int main(int argc, char** argv) {
     using namespace raytorus;

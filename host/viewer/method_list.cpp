@@ -43,6 +43,13 @@ std::vector<MethodEntry> methodList(bool withEdited) {
     return list;
 }
 
+void replaceShaders(MethodEntry& entry, const trace::ShaderSource& shaders,
+                    const trace::ShaderSource& steps) {
+    entry.shaders = shaders;
+    entry.steps = steps;
+    ++entry.version;
+}
+
 std::size_t indexOf(const std::vector<MethodEntry>& methods, const std::string& name) {
     const auto found = std::ranges::find(methods, name, &MethodEntry::name);
     if (found == methods.end()) {

@@ -21,6 +21,9 @@ struct MethodEntry {
 /// methods(), in their order. withEdited: then "edited", which is the library until it has been compiled.
 std::vector<MethodEntry> methodList(bool withEdited);
 
+/// Gives the entry other shaders.
+void replaceShaders(MethodEntry& entry, const trace::ShaderSource& shaders, const trace::ShaderSource& steps);
+
 /// The place of a method in the list. Throws Error{Usage} if there is none of that name.
 std::size_t indexOf(const std::vector<MethodEntry>& methods, const std::string& name);
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/overlays.hpp"
-
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
 
-#include "viewer/commands.hpp"
 #include "viewer/gui.hpp"
+#include "viewer/keys.hpp"
+#include "viewer/panels.hpp"
 
 namespace raytorus::viewer {
 namespace {
@@ -34,17 +33,17 @@ void drawHelp(State& state) {
         if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_None)) {
             std::string_view group;
             ImGui::TableNextColumn();
-            for (const Command& command : commands()) {
-                if (group != command.group && command.group == secondColumn) {
+            for (const KeyBinding& binding : keyBindings()) {
+                if (group != binding.group && binding.group == secondColumn) {
                     ImGui::TableNextColumn();
                 }
-                if (group != command.group) {
-                    group = command.group;
-                    ImGui::TextColored({0.55F, 0.75F, 1.0F, 1.0F}, "%s", command.group);
+                if (group != binding.group) {
+                    group = binding.group;
+                    ImGui::TextColored({0.55F, 0.75F, 1.0F, 1.0F}, "%s", binding.group);
                 }
-                ImGui::Text("  %s", command.keys);
+                ImGui::Text("  %s", binding.keys);
                 ImGui::SameLine(8.0F * ImGui::GetFontSize());
-                ImGui::TextUnformatted(command.description);
+                ImGui::TextUnformatted(binding.description);
             }
             ImGui::TextColored({0.55F, 0.75F, 1.0F, 1.0F}, "Pointer");
             for (const Gesture& gesture : gestures()) {
@@ -56,7 +55,7 @@ void drawHelp(State& state) {
     ImGui::End();
 }
 
-void drawPick(State& state) {
+void drawPick(State& state, CommandQueue& commands) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const float width = std::min(0.62F * size.x, 66.0F * ImGui::GetFontSize());
     ImGui::SetNextWindowPos({8.0F, size.y - 8.0F}, ImGuiCond_Appearing, {0.0F, 1.0F});
@@ -64,11 +63,11 @@ void drawPick(State& state) {
     bool open = true;
     if (ImGui::Begin("Pixel", &open, plain)) {
         if (ImGui::Button("Copy command (C)")) {
-            state.clipboardRequest = state.pick->command;
+            commands.push(CopyText{state.pick->command});
         }
         ImGui::SameLine();
         if (ImGui::Button("Copy test case (Shift+C)")) {
-            state.clipboardRequest = state.pick->testCase;
+            commands.push(CopyText{state.pick->testCase});
         }
         ImGui::Separator();
         ImGui::BeginChild("explanation", {0.0F, 0.0F}, false, ImGuiWindowFlags_HorizontalScrollbar);
@@ -98,7 +97,7 @@ void drawMarker(const State& state, const Place& picture) {
     list->AddCircle({x, y}, 7.0F, IM_COL32(255, 255, 255, 255), 24, 1.5F);
 }
 
-void drawWipe(const State& state, const std::vector<MethodEntry>& methods, const Place& picture) {
+void drawWipe(const State& state, const Place& picture) {
     const float x = picture.x + static_cast<float>(state.wipeAt) * picture.width;
     const float top = picture.y;
     const float bottom = top + picture.height;
@@ -106,7 +105,7 @@ void drawWipe(const State& state, const std::vector<MethodEntry>& methods, const
     list->AddLine({x, top}, {x, bottom}, IM_COL32(0, 0, 0, 160), 4.0F);
     list->AddLine({x, top}, {x, bottom}, IM_COL32(255, 255, 255, 230), 1.5F);
     const auto label = [&](const Side& side) {
-        const std::string& name = methods[side.method].name;
+        const std::string& name = state.methods[side.method].name;
         return state.left.route == state.right.route ? name : name + ", " + render::infoOf(side.route).name;
     };
     const std::string left = label(state.left);
@@ -153,18 +152,18 @@ void drawMessage(const State& state) {
 
 }  // namespace
 
-void drawOverlays(State& state, const std::vector<MethodEntry>& methods, VkRect2D pixels, double now) {
+void drawOverlays(State& state, CommandQueue& commands, VkRect2D pixels, double now) {
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;  // ImGui counts in the window's units
     const Place picture{static_cast<float>(pixels.offset.x) / scale.x,
                         static_cast<float>(pixels.offset.y) / scale.y,
                         static_cast<float>(pixels.extent.width) / scale.x,
                         static_cast<float>(pixels.extent.height) / scale.y};
     if (state.wipe) {
-        drawWipe(state, methods, picture);
+        drawWipe(state, picture);
     }
     if (state.pick) {
         drawMarker(state, picture);
-        drawPick(state);
+        drawPick(state, commands);
     }
     if (!state.shaderError.empty()) {
         drawError(state);

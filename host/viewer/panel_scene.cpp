@@ -9,7 +9,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "core/console.hpp"
-#include "viewer/panel.hpp"
+#include "viewer/panels.hpp"
 
 namespace raytorus::viewer {
 namespace {
@@ -157,7 +157,7 @@ void editCamera(State& state) {
 
 }  // namespace
 
-void drawScenePanel(State& state) {
+void drawScenePanel(State& state, CommandQueue& commands) {
     if (ImGui::CollapsingHeader("Torus", ImGuiTreeNodeFlags_DefaultOpen)) {
         ImGui::PushID("torus");
         editTorus(state);
@@ -179,7 +179,7 @@ void drawScenePanel(State& state) {
         ImGui::PopID();
     }
     if (ImGui::Button("Save scene")) {
-        state.saveRequest = true;
+        commands.push(SaveScene{});
     }
     ImGui::SameLine();
     if (ImGui::Button("Undo all")) {

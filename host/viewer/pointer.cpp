@@ -37,7 +37,7 @@ void Pointer::press(const InputEvent& event, const State& state, VkRect2D pictur
     }
 }
 
-void Pointer::move(const InputEvent& event, State& state, VkExtent2D window, VkRect2D picture) {
+void Pointer::move(const InputEvent& event, const PointerField& field, State& state) {
     if (held == Held::Nothing) {
         return;
     }
@@ -45,7 +45,7 @@ void Pointer::move(const InputEvent& event, State& state, VkExtent2D window, VkR
     if (!moved) {
         return;
     }
-    const double height = std::max(1U, window.height);
+    const double height = std::max(1U, field.window.height);
     const double x = (event.x - lastX) / height;
     const double y = (event.y - lastY) / height;
     lastX = event.x;
@@ -55,40 +55,40 @@ void Pointer::move(const InputEvent& event, State& state, VkExtent2D window, VkR
     } else if (held == Held::Pan) {
         state.scene.camera = pan(state.scene.camera, x, -y);
     } else {
-        state.wipeAt =
-            std::clamp((event.x - picture.offset.x) / std::max(1U, picture.extent.width), 0.0, 1.0);
+        state.wipeAt = std::clamp(
+            (event.x - field.picture.offset.x) / std::max(1U, field.picture.extent.width), 0.0, 1.0);
     }
 }
 
-void Pointer::release(const InputEvent& event, State& state, VkRect2D picture) {
+// extent: of the picture itself, whose pixels may be larger than those of the window.
+void Pointer::release(const InputEvent& event, VkRect2D picture, VkExtent2D extent, CommandQueue& commands) {
     const bool click = held != Held::Nothing && !moved && event.code == GLFW_MOUSE_BUTTON_LEFT;
     held = Held::Nothing;
-    const VkExtent2D extent = state.statistics.extent;
     if (!click || picture.extent.width == 0 || picture.extent.height == 0) {
         return;
     }
     const double x = (event.x - picture.offset.x) / picture.extent.width * extent.width;
     const double y = (event.y - picture.offset.y) / picture.extent.height * extent.height;
     if (x >= 0.0 && y >= 0.0 && x < extent.width && y < extent.height) {
-        state.pickRequest = std::pair(static_cast<int>(x), static_cast<int>(y));
+        commands.push(TakeApart{static_cast<int>(x), static_cast<int>(y)});
     }
 }
 
-void Pointer::handle(const InputEvent& event, State& state, VkExtent2D window, VkRect2D picture,
-                     bool captured) {
+void Pointer::handle(const InputEvent& event, const PointerField& field, State& state,
+                     CommandQueue& commands) {
     switch (event.type) {
         case InputEvent::Type::Button:
-            if (event.pressed && !captured && held == Held::Nothing) {
-                press(event, state, picture);
+            if (event.pressed && !field.panel && held == Held::Nothing) {
+                press(event, state, field.picture);
             } else if (!event.pressed) {
-                release(event, state, picture);
+                release(event, field.picture, state.statistics.extent, commands);
             }
             break;
         case InputEvent::Type::Move:
-            move(event, state, window, picture);
+            move(event, field, state);
             break;
         case InputEvent::Type::Scroll:
-            if (!captured) {
+            if (!field.panel) {
                 state.scene.camera = dolly(state.scene.camera, std::pow(dollyPerNotch, event.y));
             }
             break;

@@ -3,26 +3,29 @@
 // asks for a pixel.
 #pragma once
 
+#include "viewer/commands.hpp"
 #include "viewer/state.hpp"
 #include "viewer/window.hpp"
 
 namespace raytorus::viewer {
 
+/// What the pointer moves over, in framebuffer pixels.
+struct PointerField {
+    VkExtent2D window{};  ///< all of it
+    VkRect2D picture{};   ///< where the picture is
+    bool panel = false;   ///< the pointer is on a panel, whose the event is
+};
+
 class Pointer {
 public:
-    /// `window`: the framebuffer. `picture`: where in it the picture is. `captured`: the pointer is on a
-    /// panel.
-    void handle(const InputEvent& event, State& state, VkExtent2D window, VkRect2D picture, bool captured);
-
-    /// Whether a button is held that was pressed on the picture.
-    [[nodiscard]] bool dragging() const { return held != Held::Nothing; }
+    void handle(const InputEvent& event, const PointerField& field, State& state, CommandQueue& commands);
 
 private:
     enum class Held { Nothing, Orbit, Pan, Wipe };
 
     void press(const InputEvent& event, const State& state, VkRect2D picture);
-    void move(const InputEvent& event, State& state, VkExtent2D window, VkRect2D picture);
-    void release(const InputEvent& event, State& state, VkRect2D picture);
+    void move(const InputEvent& event, const PointerField& field, State& state);
+    void release(const InputEvent& event, VkRect2D picture, VkExtent2D extent, CommandQueue& commands);
 
     Held held = Held::Nothing;
     bool moved = false;

@@ -4,18 +4,18 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "render/picture_drawing.hpp"
 #include "scene/scene.hpp"
+#include "viewer/method_list.hpp"
 #include "viewer/view_list.hpp"
 
 namespace raytorus::viewer {
 
 /// Who draws a side of the picture.
 struct Side {
-    std::size_t method = 0;  ///< of methodList()
+    std::size_t method = 0;  ///< of State::methods
     render::Route route = render::Route::Fragment;
 
     bool operator==(const Side&) const = default;
@@ -33,7 +33,7 @@ struct Message {
 };
 
 /// What the panel shows of the last pictures.
-struct Statistics {
+struct PictureStatistics {
     VkExtent2D extent{};       ///< of the picture that is shown
     int samples = 1;           ///< a pixel
     double drawSeconds = 0.0;  ///< of the last complete drawing
@@ -59,8 +59,8 @@ struct State {
     scene::Scene fileScene;  ///< as it was read
     scene::Scene scene;      ///< as it is edited; its camera is the one that is moved
 
-    View view = View::Shaded;
-    std::size_t methodCount = 1;
+    PictureView view = PictureView::Shaded;
+    std::vector<MethodEntry> methods;
     Side left;
     Side right{1, render::Route::Fragment};
     bool wipe = false;
@@ -74,26 +74,17 @@ struct State {
     bool help = false;
     std::size_t selectedTorus = 0;
 
-    Statistics statistics;
+    PictureStatistics statistics;
     std::optional<Pick> pick;
-    std::optional<std::pair<int, int>> pickRequest;
     std::string goldenSentence;  ///< what the comparison with the golden picture comes to
 
     std::string shaderError;  ///< while the edited shaders do not compile
     Message message;
-
-    bool closing = false;
-    bool fullScreenRequest = false;
-    bool minimiseRequest = false;
-    std::vector<std::string> screenshotRequests;  ///< extensions of files to write the picture to
-    std::string clipboardRequest;                 ///< text to be put there
-    bool windowShotRequest = false;
-    bool panelFocusRequest = false;
-    bool saveRequest = false;
-    bool reloadRequest = false;
 };
 
-/// width / height of the picture.
-double aspectRatio(const State& state);
+/// Whether time changes the scene.
+inline bool isAnimated(const State& state) {
+    return state.scene.turntable.has_value();
+}
 
 }  // namespace raytorus::viewer

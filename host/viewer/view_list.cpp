@@ -10,23 +10,24 @@ namespace raytorus::viewer {
 namespace {
 
 constexpr std::array<ViewInfo, 10> list = {{
-    {View::Shaded, "shaded", "Shaded", "the picture, as raytorus render makes it"},
-    {View::Normal, "normal", "Normal",
+    {PictureView::Shaded, "shaded", "Shaded", "the picture, as raytorus render makes it"},
+    {PictureView::Normal, "normal", "Normal",
      "the unit normal, from -1 (dark) to 1 (bright) in x, y, z as red, green, blue"},
-    {View::Uv, "uv", "UV", "u as red, v as green, under a chessboard of 24 x 12 fields"},
-    {View::Depth, "depth", "Depth", "t, from the nearest (white) to the farthest point of the scene (black)"},
-    {View::Count, "count", "Surfaces",
+    {PictureView::Uv, "uv", "UV", "u as red, v as green, under a chessboard of 24 x 12 fields"},
+    {PictureView::Depth, "depth", "Depth",
+     "t, from the nearest (white) to the farthest point of the scene (black)"},
+    {PictureView::Count, "count", "Surfaces",
      "how many surfaces the whole ray crosses: 2 indigo, 4 teal, more yellow; odd green"},
-    {View::Torus, "torus", "Torus", "which torus is hit, a colour each"},
-    {View::Steps, "steps", "Steps",
+    {PictureView::Torus, "torus", "Torus", "which torus is hit, a colour each"},
+    {PictureView::Steps, "steps", "Steps",
      "steps of the solver's loops for the pixel's ray, over all tori: a heat map"},
-    {View::Surface, "surface", "Distance from surface",
+    {PictureView::Surface, "surface", "Distance from surface",
      "how far the hit is from the surface, in roundings (2^-24 of the torus' size and place)"},
-    {View::Reference, "reference", "Difference to reference",
+    {PictureView::Reference, "reference", "Difference to reference",
      "how far the hit is from the 104-bit reference's, in the same roundings; magenta: hit and miss, torus "
      "or "
      "number of surfaces differ"},
-    {View::Golden, "golden", "Difference to golden",
+    {PictureView::Golden, "golden", "Difference to golden",
      "the golden picture's comparison: black equal, blue tolerated, orange to white wrong, green a flip"},
 }};
 
@@ -36,7 +37,7 @@ std::span<const ViewInfo> views() {
     return list;
 }
 
-const ViewInfo& infoOf(View view) {
+const ViewInfo& infoOf(PictureView view) {
     return list[static_cast<std::size_t>(view)];
 }
 

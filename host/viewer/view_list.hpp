@@ -11,7 +11,7 @@
 
 namespace raytorus::viewer {
 
-enum class View : std::uint32_t {
+enum class PictureView : std::uint32_t {
     Shaded = VIEW_SHADED,
     Normal = VIEW_NORMAL,
     Uv = VIEW_UV,
@@ -25,7 +25,7 @@ enum class View : std::uint32_t {
 };
 
 struct ViewInfo {
-    View view;
+    PictureView view;
     const char* name;         ///< for --view
     const char* title;        ///< in the panel
     const char* description;  ///< what its colours mean
@@ -33,7 +33,7 @@ struct ViewInfo {
 
 std::span<const ViewInfo> views();
 
-const ViewInfo& infoOf(View view);
+const ViewInfo& infoOf(PictureView view);
 
 /// The view with this name, or null.
 const ViewInfo* findView(std::string_view name);
@@ -42,13 +42,13 @@ const ViewInfo* findView(std::string_view name);
 std::string viewTable();
 
 /// Whether the view needs t, normals and the like, or the colour alone.
-constexpr bool needsAovs(View view) {
-    return view != View::Shaded;
+constexpr bool needsAovs(PictureView view) {
+    return view != PictureView::Shaded;
 }
 
 /// Whether the view shows what the host works out about a picture.
-constexpr bool needsAnalysis(View view) {
-    return view == View::Surface || view == View::Reference || view == View::Golden;
+constexpr bool needsAnalysis(PictureView view) {
+    return view == PictureView::Surface || view == PictureView::Reference || view == PictureView::Golden;
 }
 
 }  // namespace raytorus::viewer

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/viewer_options.hpp"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -13,7 +11,9 @@
 #include "options/number_text.hpp"
 #include "options/option_text.hpp"
 #include "options/program.hpp"
-#include "viewer/commands.hpp"
+#include "scene/scene_json.hpp"
+#include "viewer/keys.hpp"
+#include "viewer/viewer.hpp"
 
 namespace raytorus::viewer {
 namespace {
@@ -81,13 +81,13 @@ void readSequence(const Texts& texts, ViewerOptions& options) {
         throw Error(ExitCode::Usage, "--fps needs --sequence");
     }
     if (!texts.sequence.empty()) {
-        const std::string count = options.frames > 0 ? std::to_string(options.frames) : "";
+        const std::string count = options.script.frames > 0 ? std::to_string(options.script.frames) : "";
         if (count.empty()) {
             throw Error(ExitCode::Usage, "--sequence needs --frames");
         }
-        options.sequence =
+        options.script.sequence =
             options::framesOf({fmt::format("{}", options.time), count, texts.rate}, texts.sequence);
-        options.frames = 1;
+        options.script.frames = 1;
     }
 }
 
@@ -111,11 +111,11 @@ void readTexts(const Texts& texts, ViewerOptions& options) {
     }
     options.panel = !texts.noPanel;
     readSequence(texts, options);
-    requireImageName("--screenshot", options.screenshot, false);
-    requireImageName("--window-screenshot", options.windowScreenshot, true);
-    options::refuseSameFile("--screenshot", options.screenshot, "--window-screenshot",
-                            options.windowScreenshot);
-    options::refuseToOverwrite("--screenshot", options.screenshot, options.golden);
+    requireImageName("--screenshot", options.script.screenshot, false);
+    requireImageName("--window-screenshot", options.script.windowScreenshot, true);
+    options::refuseSameFile("--screenshot", options.script.screenshot, "--window-screenshot",
+                            options.script.windowScreenshot);
+    options::refuseToOverwrite("--screenshot", options.script.screenshot, options.golden);
 }
 
 }  // namespace
@@ -151,12 +151,12 @@ std::optional<ViewerOptions> parseOptions(const std::vector<std::string>& argume
     app.add_flag("--no-panel", texts.noPanel, "Begin without the panel (Tab shows it)");
     app.add_flag("--keys", options.help, "Begin with the help on keys");
     app.add_option("--pick", texts.pick, "Take this pixel apart at the beginning")->option_text("X,Y");
-    app.add_option("--frames", options.frames, "Close after so many frames, or pictures of a sequence")
+    app.add_option("--frames", options.script.frames, "Close after so many frames, or pictures of a sequence")
         ->check(options::wholeNumber(1, 1000000000))
         ->option_text("N");
-    app.add_option("--screenshot", options.screenshot, "Write the picture, then close")
+    app.add_option("--screenshot", options.script.screenshot, "Write the picture, then close")
         ->option_text("FILE.png|.exr");
-    app.add_option("--window-screenshot", options.windowScreenshot,
+    app.add_option("--window-screenshot", options.script.windowScreenshot,
                    "Write the window with its panels, then close")
         ->option_text("FILE.png");
     app.add_option("--sequence", texts.sequence,
@@ -185,6 +185,29 @@ std::optional<ViewerOptions> parseOptions(const std::vector<std::string>& argume
     }
     readTexts(texts, options);
     return options;
+}
+
+State firstState(const ViewerOptions& options) {
+    State state;
+    state.sceneFile = options.scene;
+    state.fileScene = scene::readScene(options.scene);
+    state.scene = state.fileScene;
+    state.view = options.view;
+    state.methods = methodList(!options.edit.empty());
+    const std::string method = !options.method.empty()       ? options.method
+                               : state.methods.back().edited ? "edited"
+                                                             : "raytorus";
+    const std::string right = !options.wipeMethod.empty() ? options.wipeMethod : "closed-form-naive";
+    state.left = {indexOf(state.methods, method), options.route};
+    state.right = {indexOf(state.methods, right), options.route};
+    state.wipe = !options.wipeMethod.empty();
+    state.wipeAt = options.wipeAt;
+    state.samplesPerSide = options.samplesPerSide;
+    state.animation.seconds = options.time;
+    state.animation.playing = !options.paused;
+    state.panel = options.panel;
+    state.help = options.help;
+    return state;
 }
 
 }  // namespace raytorus::viewer

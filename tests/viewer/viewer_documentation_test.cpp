@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/file.hpp"
-#include "viewer/commands.hpp"
+#include "viewer/keys.hpp"
 #include "viewer/view_list.hpp"
 
 namespace raytorus::test {

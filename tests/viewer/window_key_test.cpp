@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "image/image_io.hpp"
-#include "viewer/commands.hpp"
+#include "viewer/keys.hpp"
 #include "window_test.hpp"
 
 namespace raytorus::test {
@@ -41,11 +41,11 @@ TEST(KeyTable, HasNoKeyTwiceAndListsAll) {
     std::set<std::pair<int, int>> keys;
     std::set<std::string> names;
     const std::string table = viewer::keyTable();
-    for (const viewer::Command& command : viewer::commands()) {
-        EXPECT_TRUE(keys.emplace(command.key, command.modifiers).second) << command.keys;
-        EXPECT_TRUE(names.emplace(command.keys).second) << command.keys;
-        EXPECT_NE(table.find(std::string("\n  ") + command.keys + " "), std::string::npos) << command.keys;
-        EXPECT_STRNE(command.description, "");
+    for (const viewer::KeyBinding& binding : viewer::keyBindings()) {
+        EXPECT_TRUE(keys.emplace(binding.key, binding.modifiers).second) << binding.keys;
+        EXPECT_TRUE(names.emplace(binding.keys).second) << binding.keys;
+        EXPECT_NE(table.find(std::string("\n  ") + binding.keys + " "), std::string::npos) << binding.keys;
+        EXPECT_STRNE(binding.description, "");
     }
     EXPECT_GT(keys.size(), 50U);
 }
@@ -75,20 +75,20 @@ bool isWork(const std::string& group, const std::string& event) {
 
 TEST_F(WindowKey, EachDoesSomething) {
     open({scene("ring"), "--size", "48x32", "--no-panel", "--spp", "1"});
-    for (const viewer::Command& command : viewer::commands()) {
-        const std::string keys = command.keys;
+    for (const viewer::KeyBinding& binding : viewer::keyBindings()) {
+        const std::string keys = binding.keys;
         // These have tests of their own, since they take the keys or the window away.
         if (keys == "Q" || keys == "F6" || keys == "F11") {
             continue;
         }
-        SCOPED_TRACE(keys + ": " + command.description);
+        SCOPED_TRACE(keys + ": " + binding.description);
         for (const auto& [key, event] : before(keys)) {
             press({key});
             await(event);
         }
         hand({"key", keysymOf(keys)});
-        await("key", [&](const Json& event) { return event["code"] == command.key; });
-        while (!isWork(command.group, nextEvent()["event"])) {
+        await("key", [&](const Json& event) { return event["code"] == binding.key; });
+        while (!isWork(binding.group, nextEvent()["event"])) {
         }
     }
     close();
