@@ -77,7 +77,7 @@ void drawLegend(const State& state) {
         case PictureView::Surface:
         case PictureView::Reference:
             drawRamp(errors, std::array{".1", "1", "10", "100", "1e3", "1e4", "1e5", "1e6"});
-            ImGui::TextUnformatted("roundings (2^-24 of the size); promised: 1.5");
+            ImGui::TextUnformatted("roundings (2^-24 of the size)\npromised: 1.5");
             patch(rgb(1.0, 0.0, 0.85), "wrong: hit or miss, torus, or count");
             break;
         case PictureView::Golden:
@@ -160,18 +160,18 @@ void chooseTime(State& state) {
 
 void showStatistics(const State& state, const std::string& device) {
     const PictureStatistics& shown = state.statistics;
+    ImGui::PushTextWrapPos(0.0F);
     ImGui::Text("%u x %u, %d sample%s a pixel", shown.extent.width, shown.extent.height, shown.samples,
                 shown.samples == 1 ? "" : "s");
     ImGui::Text("%.1f frames a second", shown.framesPerSecond);
     const double rays = static_cast<double>(shown.extent.width) * shown.extent.height * shown.samples;
-    ImGui::Text("picture: %.2f ms, on the device %.2f ms", 1e3 * shown.drawSeconds,
+    ImGui::Text("picture: %.4g ms, on the device %.4g ms", 1e3 * shown.drawSeconds,
                 1e3 * shown.deviceSeconds);
     if (shown.compiled) {
         ImGui::TextUnformatted("the driver compiled within that time");
     } else if (shown.drawSeconds > 0.0) {
         ImGui::Text("%.1f million camera rays a second", 1e-6 * rays / shown.drawSeconds);
     }
-    ImGui::PushTextWrapPos(0.0F);
     drawWords(device);
     if (needsAnalysis(state.view) && state.view != PictureView::Golden) {
         ImGui::Text("reference: %.0f %% of the pixels, %lld wrong, largest difference %.3g roundings",
