@@ -135,6 +135,29 @@ void Swapchain::dropImages() {
     images.clear();
 }
 
+Swapchain::ImageParts Swapchain::partsOf(VkImage image) const {
+    ImageParts parts;
+    parts.image = image;
+    VkImageViewCreateInfo viewInfo{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
+    viewInfo.image = image;
+    viewInfo.viewType = VK_IMAGE_VIEW_TYPE_2D;
+    viewInfo.format = surfaceFormat.format;
+    viewInfo.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+    parts.view =
+        gpu::create<vkDestroyImageView>(vkCreateImageView, context->scope(), viewInfo, "vkCreateImageView");
+    VkFramebufferCreateInfo bufferInfo{VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO};
+    bufferInfo.renderPass = pass.get();
+    bufferInfo.attachmentCount = 1;
+    bufferInfo.pAttachments = parts.view.address();
+    bufferInfo.width = extent.width;
+    bufferInfo.height = extent.height;
+    bufferInfo.layers = 1;
+    parts.framebuffer = gpu::create<vkDestroyFramebuffer>(vkCreateFramebuffer, context->scope(), bufferInfo,
+                                                          "vkCreateFramebuffer");
+    parts.finished = makeSemaphore();
+    return parts;
+}
+
 void Swapchain::makeImages() {
     dropImages();
     VkSurfaceCapabilitiesKHR capabilities{};
@@ -182,26 +205,7 @@ void Swapchain::makeImages() {
     swapchain = std::move(fresh);
     for (VkImage image : enumerate<VkImage>("vkGetSwapchainImagesKHR", vkGetSwapchainImagesKHR,
                                             context->device(), swapchain.get())) {
-        ImageParts parts;
-        parts.image = image;
-        VkImageViewCreateInfo viewInfo{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
-        viewInfo.image = image;
-        viewInfo.viewType = VK_IMAGE_VIEW_TYPE_2D;
-        viewInfo.format = surfaceFormat.format;
-        viewInfo.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-        parts.view = gpu::create<vkDestroyImageView>(vkCreateImageView, context->scope(), viewInfo,
-                                                     "vkCreateImageView");
-        VkFramebufferCreateInfo bufferInfo{VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO};
-        bufferInfo.renderPass = pass.get();
-        bufferInfo.attachmentCount = 1;
-        bufferInfo.pAttachments = parts.view.address();
-        bufferInfo.width = extent.width;
-        bufferInfo.height = extent.height;
-        bufferInfo.layers = 1;
-        parts.framebuffer = gpu::create<vkDestroyFramebuffer>(vkCreateFramebuffer, context->scope(),
-                                                              bufferInfo, "vkCreateFramebuffer");
-        parts.finished = makeSemaphore();
-        images.push_back(std::move(parts));
+        images.push_back(partsOf(image));
     }
     stale = false;
 }

@@ -64,6 +64,8 @@ private:
     void chooseFormat();
     void makePass();
     void makeImages();
+    // Of an image of the swapchain that is being made.
+    [[nodiscard]] ImageParts partsOf(VkImage image) const;
     void dropImages();
     std::optional<std::uint32_t> acquire();
     // Takes note of a result that the window's changes cause. False: it was another failure.

@@ -118,6 +118,22 @@ void readTexts(const Texts& texts, ViewerOptions& options) {
     options::refuseToOverwrite("--screenshot", options.script.screenshot, options.golden);
 }
 
+void addScriptOptions(CLI::App& app, Script& script, Texts& texts) {
+    app.add_option("--frames", script.frames, "Close after so many frames, or pictures of a sequence")
+        ->check(options::wholeNumber(1, 1000000000))
+        ->option_text("N");
+    app.add_option("--screenshot", script.screenshot, "Write the picture, then close")
+        ->option_text("FILE.png|.exr");
+    app.add_option("--window-screenshot", script.windowScreenshot,
+                   "Write the window with its panels, then close")
+        ->option_text("FILE.png");
+    app.add_option("--sequence", texts.sequence,
+                   "Write so many pictures of an animation, numbered where the name has ####, then close")
+        ->option_text("FILE-####.png|.exr");
+    app.add_option("--fps", texts.rate, "Frames a second of the scene's time, with --sequence")
+        ->option_text("F");
+}
+
 }  // namespace
 
 std::optional<ViewerOptions> parseOptions(const std::vector<std::string>& arguments) {
@@ -151,19 +167,7 @@ std::optional<ViewerOptions> parseOptions(const std::vector<std::string>& argume
     app.add_flag("--no-panel", texts.noPanel, "Begin without the panel (Tab shows it)");
     app.add_flag("--keys", options.help, "Begin with the help on keys");
     app.add_option("--pick", texts.pick, "Take this pixel apart at the beginning")->option_text("X,Y");
-    app.add_option("--frames", options.script.frames, "Close after so many frames, or pictures of a sequence")
-        ->check(options::wholeNumber(1, 1000000000))
-        ->option_text("N");
-    app.add_option("--screenshot", options.script.screenshot, "Write the picture, then close")
-        ->option_text("FILE.png|.exr");
-    app.add_option("--window-screenshot", options.script.windowScreenshot,
-                   "Write the window with its panels, then close")
-        ->option_text("FILE.png");
-    app.add_option("--sequence", texts.sequence,
-                   "Write so many pictures of an animation, numbered where the name has ####, then close")
-        ->option_text("FILE-####.png|.exr");
-    app.add_option("--fps", texts.rate, "Frames a second of the scene's time, with --sequence")
-        ->option_text("F");
+    addScriptOptions(app, options.script, texts);
     app.add_flag("--events", options.events, "Print what happens as lines of JSON");
     app.add_flag("--list-views", texts.listViews, "Print the views");
     app.add_flag("--list-keys", texts.listKeys, "Print what keys and pointer do");
