@@ -14,8 +14,8 @@
 #include <system_error>
 
 #include "core/console.hpp"
-#include "core/edit_distance.hpp"
 #include "core/output_file.hpp"
+#include "core/suggestion.hpp"
 
 namespace raytorus::options {
 namespace {
@@ -62,19 +62,6 @@ ExitCode runProgram(std::string_view name, const std::function<ExitCode()>& work
     } catch (const std::exception& error) {
         return fail(name, ExitCode::Internal, fmt::format("internal error: {}", error.what()));
     }
-}
-
-std::string suggestion(const std::string& word, const std::vector<std::string>& known) {
-    std::size_t fewest = word.size() / 3 + 1;  // changes; with more it is another word
-    std::string best;
-    for (const std::string& name : known) {
-        const std::size_t changes = editDistance(word, name);
-        if (changes < fewest || (changes == fewest && best.empty())) {
-            fewest = changes;
-            best = name;
-        }
-    }
-    return best.empty() ? "" : fmt::format("; did you mean {}?", best);
 }
 
 namespace {

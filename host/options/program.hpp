@@ -16,9 +16,6 @@ namespace raytorus::options {
 /// error, after the program's name.
 ExitCode runProgram(std::string_view name, const std::function<ExitCode()>& work);
 
-/// "; did you mean --size?" of the known word that is nearest to this one, or nothing if none is near.
-std::string suggestion(const std::string& word, const std::vector<std::string>& known);
-
 /// What the command line has and the program, or its command, knows nothing of: "there is no option --sise;
 /// did you mean --size?", a command, or one argument too many. Behind "--" there are names alone. Empty if
 /// there is no such thing.

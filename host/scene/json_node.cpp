@@ -11,7 +11,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/edit_distance.hpp"
+#include "core/suggestion.hpp"
 
 namespace raytorus::scene {
 namespace {
@@ -39,7 +39,7 @@ void JsonNode::expectKeys(std::initializer_list<std::string_view> known) const {
     expectObject();
     for (const auto& [key, value] : value_->get_ref<const Json::object_t&>()) {
         if (std::ranges::find(known, key) == known.end()) {
-            std::string hint = suggestion(key, known);
+            std::string hint = suggestion(key, std::vector<std::string>(known.begin(), known.end()));
             if (hint.empty()) {
                 hint = fmt::format("; the keys here are {}", fmt::join(known, ", "));
             }
@@ -167,16 +167,6 @@ std::string JsonNode::pointer() const {
     }
     return parent_->pointer() +
            (parent_->value_->is_object() ? pointerPart(key_) : fmt::format("/{}", index_));
-}
-
-std::string suggestion(std::string_view name, std::span<const std::string_view> known) {
-    const auto distance = [&](std::string_view other) { return editDistance(name, other); };
-    const auto nearest = std::ranges::min_element(known, {}, distance);
-    // A third of the letters may be wrong: one of "sky", two of "gold", which two swapped letters are.
-    if (nearest == known.end() || distance(*nearest) > (nearest->size() + 2) / 3) {
-        return "";
-    }
-    return fmt::format("; did you mean '{}'?", *nearest);
 }
 
 }  // namespace raytorus::scene

@@ -6,7 +6,6 @@
 #include <glm/vec3.hpp>
 #include <initializer_list>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -63,8 +62,5 @@ private:
     std::string_view key_ = {};  ///< where the parent is an object
     std::size_t index_ = 0;      ///< where the parent is an array
 };
-
-/// "; did you mean 'gold'?" for the name that is nearest, or nothing where none is near.
-std::string suggestion(std::string_view name, std::span<const std::string_view> known);
 
 }  // namespace raytorus::scene

@@ -16,6 +16,7 @@
 
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "core/suggestion.hpp"
 #include "core/torus_range.hpp"
 #include "scene/bvh.hpp"
 #include "scene/json_node.hpp"
@@ -183,7 +184,7 @@ std::size_t readMaterialName(const JsonNode& node, MaterialTable& table) {
     }
     const auto found = table.indices.find(name);
     if (found == table.indices.end()) {
-        std::vector<std::string_view> known;
+        std::vector<std::string> known;
         for (const Material& material : table.materials) {
             known.push_back(material.name);
         }

@@ -4,15 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
 #include "scene/scene_json.hpp"
+#include "support/expect_error.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace raytorus::scene {
 namespace {
+
+using test::expectSentence;
 
 struct Fault {
     std::string text;
@@ -48,19 +50,11 @@ std::string twoMaterials(const std::string& name) {
            name + R"("}]})";
 }
 
-void expectFault(const std::string& text, const std::string& message) {
-    try {
-        parseScene(text, "t.json");
-        ADD_FAILURE() << "accepted: " << text.substr(0, 300);
-    } catch (const Error& error) {
-        EXPECT_EQ(error.what(), "t.json: " + message) << text.substr(0, 300);
-        EXPECT_EQ(error.exitCode, ExitCode::Scene);
-    }
-}
-
 void expectFaults(const std::vector<Fault>& faults) {
     for (const Fault& fault : faults) {
-        expectFault(fault.text, fault.message);
+        SCOPED_TRACE(fault.text.substr(0, 300));
+        expectSentence([&fault] { parseScene(fault.text, "t.json"); }, ExitCode::Scene,
+                       "t.json: " + fault.message);
     }
 }
 
@@ -110,24 +104,23 @@ TEST(SceneFault, UnknownAndMissingKeys) {
         {"3", "3 is not an object"},
         {"[]", "[] is not an object"},
         {"{}", "the key 'tori' is missing"},
-        {withKeys(R"("camra": {})"), "/camra: unknown key; did you mean 'camera'?"},
+        {withKeys(R"("camra": {})"), "/camra: unknown key; did you mean camera?"},
         {withKeys(R"("fog": 1)"),
          "/fog: unknown key; the keys here are $schema, description, image, camera, "
          "background, ambient, lights, materials, tori, animation"},
         {withKeys(R"("a\u001b[31m": 1)"),
          "/a\\u001b[31m: unknown key; the keys here are $schema, description, image, "
          "camera, background, ambient, lights, materials, tori, animation"},
-        {withKeys(R"("image": {"widht": 1})"), "/image/widht: unknown key; did you mean 'width'?"},
+        {withKeys(R"("image": {"widht": 1})"), "/image/widht: unknown key; did you mean width?"},
         {withCamera(R"("fieldOfView": 1)"),
          "/camera/fieldOfView: unknown key; the keys here are position, target, up, verticalFieldOfView"},
-        {withKeys(R"("background": {"Top": 1})"), "/background/Top: unknown key; did you mean 'top'?"},
+        {withKeys(R"("background": {"Top": 1})"), "/background/Top: unknown key; did you mean top?"},
         {withKeys(R"("ambient": {"skies": 1})"),
          "/ambient/skies: unknown key; the keys here are sky, ground"},
-        {withMaterial(R"("difuse": [0,0,0])"),
-         "/materials/gold/difuse: unknown key; did you mean 'diffuse'?"},
+        {withMaterial(R"("difuse": [0,0,0])"), "/materials/gold/difuse: unknown key; did you mean diffuse?"},
         {withMaterial(R"("checker": {"count": 1})"),
-         "/materials/gold/checker/count: unknown key; did you mean 'counts'?"},
-        {withTorus(R"("majorradius": 1)"), "/tori/1/majorradius: unknown key; did you mean 'majorRadius'?"},
+         "/materials/gold/checker/count: unknown key; did you mean counts?"},
+        {withTorus(R"("majorradius": 1)"), "/tori/1/majorradius: unknown key; did you mean majorRadius?"},
         {withPlacedTorus(R"("rotation": {"angle": 1})"),
          "/tori/1/rotation/angle: unknown key; the keys here are axis, degrees, quaternion"},
         {withPlacedTorus(R"("rotation": {"quaternion": [0,0,0,1], "degrees": 1})"),
@@ -195,9 +188,9 @@ TEST(SceneFault, Torus) {
         {withPlacedTorus(R"("material": "gold")"),
          "/tori/1/material: \"gold\" is not the name of a material"},
         {twoMaterials("glod"),
-         "/tori/0/material: \"glod\" is not the name of a material; did you mean 'gold'?"},
+         "/tori/0/material: \"glod\" is not the name of a material; did you mean gold?"},
         {twoMaterials("sliver"),
-         "/tori/0/material: \"sliver\" is not the name of a material; did you mean 'silver'?"},
+         "/tori/0/material: \"sliver\" is not the name of a material; did you mean silver?"},
     });
 }
 
@@ -289,7 +282,7 @@ TEST(SceneFault, Animation) {
         {withKeys(R"("animation": null)"), "/animation: null is not an object"},
         {withKeys(R"("animation": {})"), "/animation: the key 'turntable' is missing"},
         {withKeys(R"("animation": {"turntabel": {}})"),
-         "/animation/turntabel: unknown key; did you mean 'turntable'?"},
+         "/animation/turntabel: unknown key; did you mean turntable?"},
         {withKeys(R"("animation": {"turntable": 8})"), turntable + ": 8 is not an object"},
         {withTurntable(""), turntable + ": the key 'secondsPerTurn' is missing"},
         {withTurntable(R"("secondsPerTurn": 0)"), turntable + "/secondsPerTurn: 0 is not a positive number"},
@@ -308,37 +301,24 @@ TEST(SceneFault, Animation) {
         {withTurntable(R"("secondsPerTurn": 8, "center": 0)"),
          turntable + "/center: 0 is not an array of three numbers"},
         {withTurntable(R"("secondsPerTurn": 8, "centre": [0, 0, 0])"),
-         turntable + "/centre: unknown key; did you mean 'center'?"},
+         turntable + "/centre: unknown key; did you mean center?"},
         {withTurntable(R"("secondsPerTurn": 8, "center": [2e38, 0, 0])"),
          turntable + ": the tori turn beyond the range of float32 (3.4e38)"},
     });
 }
 
 TEST(SceneFault, File) {
-    const auto expectFileFault = [](const std::filesystem::path& path, const std::string& reason) {
-        try {
-            readScene(path);
-            ADD_FAILURE() << path;
-        } catch (const Error& error) {
-            EXPECT_EQ(error.exitCode, ExitCode::File);
-            EXPECT_EQ(error.what(), "cannot read \"" + path.string() + "\": " + reason);
-        }
-    };
-    const std::filesystem::path folder = std::filesystem::path(RAYTORUS_TEST_OUTPUT_DIR) / "scene_fault";
-    std::filesystem::create_directories(folder);
-    expectFileFault(folder / "missing.json", "there is no such file");
-    expectFileFault(folder, "it is a directory");
-
+    const std::filesystem::path folder = test::scratchFolder();
     const std::filesystem::path file = folder / "bad.json";
-    std::ofstream(file) << "{\"tori\": []}";
-    try {
-        readScene(file);
-        ADD_FAILURE() << "accepted";
-    } catch (const Error& error) {
-        EXPECT_EQ(error.exitCode, ExitCode::Scene);
-        EXPECT_EQ(error.what(),
-                  file.string() + ": /tori: the array is empty, but a scene has at least one torus");
-    }
+    const auto read = [](const std::filesystem::path& path) { return [path] { readScene(path); }; };
+    const auto unreadable = [](const std::filesystem::path& path) {
+        return "cannot read \"" + path.string() + "\": ";
+    };
+    expectSentence(read(file), ExitCode::File, unreadable(file) + "there is no such file");
+    expectSentence(read(folder), ExitCode::File, unreadable(folder) + "it is a directory");
+    test::writeText(file, "{\"tori\": []}");
+    expectSentence(read(file), ExitCode::Scene,
+                   file.string() + ": /tori: the array is empty, but a scene has at least one torus");
 }
 
 }  // namespace

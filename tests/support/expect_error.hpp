@@ -30,4 +30,15 @@ inline void expectError(std::invocable auto run, ExitCode code, std::initializer
     ADD_FAILURE() << "no Error was thrown";
 }
 
+/// Runs it and checks that its Error says this sentence, and nothing more.
+inline void expectSentence(std::invocable auto run, ExitCode code, const std::string& sentence) {
+    try {
+        run();
+        ADD_FAILURE() << "no Error was thrown, which would say: " << sentence;
+    } catch (const Error& error) {
+        EXPECT_EQ(error.what(), sentence);
+        EXPECT_EQ(error.exitCode, code) << sentence;
+    }
+}
+
 }  // namespace raytorus::test

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include "core/edit_distance.hpp"
+#include "core/suggestion.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <numeric>
 #include <utility>
 #include <vector>
 
 namespace raytorus {
+namespace {
 
+// Letters to be put in, left out or exchanged (Levenshtein).
 std::size_t editDistance(std::string_view a, std::string_view b) {
     // The distances of a's first i letters from each beginning of b.
     std::vector<std::size_t> row(b.size() + 1);
@@ -21,6 +26,18 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
         }
     }
     return row.back();
+}
+
+}  // namespace
+
+std::string suggestion(std::string_view word, std::span<const std::string> known) {
+    const auto distance = [word](std::string_view other) { return editDistance(word, other); };
+    const auto nearest = std::ranges::min_element(known, {}, distance);
+    // A third of the letters may be wrong: one of "sky", two of "gold", which two swapped letters are.
+    if (nearest == known.end() || distance(*nearest) > (nearest->size() + 2) / 3) {
+        return "";
+    }
+    return fmt::format("; did you mean {}?", *nearest);
 }
 
 }  // namespace raytorus
