@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // raytorus render: a scene file to a picture file.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
@@ -11,6 +12,7 @@
 #include "cli/render_stats.hpp"
 #include "core/console.hpp"
 #include "core/file.hpp"
+#include "image/channels.hpp"
 #include "image/image_io.hpp"
 #include "options/device_options.hpp"
 #include "options/frame_options.hpp"
@@ -30,17 +32,29 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* renderFooter = R"(The picture:
-  .exr  linear float32: R G B A, t, position.x .y .z, normal.x .y .z, uv.u uv.v, count, id.
-        All but RGBA belong to the ray through the middle of the pixel; count is the number of surfaces on the whole
-        ray, id the torus' place in the scene, -1 where nothing is hit (the others are 0 there)
-  .png  8 bit, sRGB
-
+  .png  8 bit, sRGB, the colour alone
+  .exr  linear float32, in these channels, of which all but the colour belong to the ray through the middle of the
+        pixel; in brackets, what they are where nothing is hit:
+{}
 Examples:
   raytorus render scenes/ring.json -o ring.png
   raytorus render scenes/chain.json -o chain.exr --route compute --stats text
   raytorus render scenes/chain.json -o big.png --size 3840x2160 --spp 16
   raytorus render scenes/thin.json -o closed_form.png --method closed-form
   raytorus render scenes/turntable.json -o frame-###.png --frames 288 --fps 24)";
+
+// A line for each quantity of an EXR.
+std::string channelLines() {
+    std::string lines;
+    for (const image::Quantity& quantity : image::quantities) {
+        if (!quantity.isOfTruth()) {
+            lines += fmt::format("        {:<32}  {} ({})\n",
+                                 fmt::format("{}", fmt::join(quantity.channels(), " ")), quantity.meaning,
+                                 quantity.onMiss);
+        }
+    }
+    return lines;
+}
 
 struct RenderCommand {
     std::string scene;
@@ -251,7 +265,7 @@ void addRenderCommand(CLI::App& app, Action& action) {
     options::addFrameOptions(*sub, command->frames);
     options::addMethodOrReferenceOption(*sub, command->method);
     options::addDeviceOptions(*sub, command->device);
-    sub->footer(renderFooter);
+    sub->footer(fmt::format(renderFooter, channelLines()));
     sub->callback([command, &action] { action = [command] { return runRender(*command); }; });
 }
 

@@ -3,39 +3,13 @@
 #include "compare/channel_judge.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "image/channels.hpp"
 
 namespace raytorus::compare {
 
 namespace {
-
-// What a truth says of a value channel. An empty name: nothing.
-struct Promise {
-    std::string_view channel;
-    std::string_view margin;
-    std::string_view tolerance;
-    bool exact = false;
-    bool cyclic = false;
-};
-
-constexpr std::array promises = {
-    Promise{"R", "margin.color", "tolerance.color"},
-    Promise{"G", "margin.color", "tolerance.color"},
-    Promise{"B", "margin.color", "tolerance.color"},
-    Promise{"A", "", "", true},
-    Promise{"t", "margin", "tolerance.t"},
-    Promise{"position.x", "margin", "tolerance.position"},
-    Promise{"position.y", "margin", "tolerance.position"},
-    Promise{"position.z", "margin", "tolerance.position"},
-    Promise{"normal.x", "margin", "tolerance.normal"},
-    Promise{"normal.y", "margin", "tolerance.normal"},
-    Promise{"normal.z", "margin", "tolerance.normal"},
-    Promise{"uv.u", "margin", "tolerance.uv", false, true},
-    Promise{"uv.v", "margin", "tolerance.uv", false, true},
-    Promise{"count", "margin.count", "", true},
-    Promise{"id", "margin", "", true},
-};
 
 std::optional<std::size_t> findChannel(const image::Image& image, std::string_view name) {
     const int index = image.channelIndex(name);
@@ -43,14 +17,14 @@ std::optional<std::size_t> findChannel(const image::Image& image, std::string_vi
 }
 
 void applyPromise(ChannelJudge& judge, const image::Image& truth, bool hasRule) {
-    const auto* const promise = std::ranges::find(promises, judge.name, &Promise::channel);
-    if (promise == promises.end()) {
+    const image::Quantity* const promise = image::findQuantity(judge.name);
+    if (promise == nullptr || promise->isOfTruth()) {
         return;
     }
     judge.margin = findChannel(truth, promise->margin);
     judge.tolerance = findChannel(truth, promise->tolerance);
     judge.cyclic = promise->cyclic;
-    if (promise->exact && !hasRule) {
+    if (promise->tolerance.empty() && !hasRule) {
         judge.exact = true;
         judge.rule = {};
     }
@@ -59,9 +33,8 @@ void applyPromise(ChannelJudge& judge, const image::Image& truth, bool hasRule) 
 }  // namespace
 
 bool isTruthChannel(std::string_view name) {
-    return !name.empty() && std::ranges::any_of(promises, [name](const Promise& promise) {
-        return name == promise.margin || name == promise.tolerance;
-    });
+    const image::Quantity* const quantity = image::findQuantity(name);
+    return quantity != nullptr && quantity->isOfTruth();
 }
 
 bool isTruth(const image::Image& image) {

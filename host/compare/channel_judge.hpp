@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What one channel of the actual image is held to, pixel by pixel. Here alone is known what the channels of a
-// truth mean.
+// What one channel of the actual image is held to, pixel by pixel.
 #pragma once
 
 #include <cstddef>
@@ -15,12 +14,9 @@
 
 namespace raytorus::compare {
 
-/// A truth is an image that says beside its values how far each may be off, in channels named:
-///   margin        of the nearest hit (id, t, position, normal, uv): where it is below 1, rounding the ray to
-///   margin.count  of count                                          float32 may change the verdict; the
-///   margin.color  of R, G and B                                     pixel is marginal for these channels
-///   tolerance.color, .t, .position, .normal, .uv   what a value of this pixel may be off, absolutely
-/// Without its margin a channel is never marginal; without its tolerance the rules alone count.
+/// A truth is an image that says beside its values how far each may be off, in margins and tolerances
+/// (image/channels.hpp). Where the margin of a channel is below 1, the pixel is marginal for it. Without its
+/// margin a channel is never marginal; without its tolerance the rules alone count.
 [[nodiscard]] bool isTruthChannel(std::string_view name);
 
 /// Whether an image is a truth: whether it has any of these channels.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "golden/golden_folder.hpp"
+#include "image/channels.hpp"
 #include "image/image_io.hpp"
 #include "scene/scene_json.hpp"
 
@@ -14,11 +15,11 @@ namespace {
 // Margins and tolerances are both proportional to the rounding.
 void loosen(image::Image& truth, float factor) {
     for (std::size_t channel = 0; channel < truth.channelNames.size(); ++channel) {
-        const std::string& name = truth.channelNames[channel];
-        const bool margin = name.starts_with("margin");
-        if (!margin && !name.starts_with("tolerance.")) {
+        const image::Quantity* const quantity = image::findQuantity(truth.channelNames[channel]);
+        if (quantity == nullptr || !quantity->isOfTruth()) {
             continue;
         }
+        const bool margin = quantity->kind == image::ChannelKind::Margin;
         for (std::size_t i = channel; i < truth.pixels.size(); i += truth.channelNames.size()) {
             truth.pixels[i] = margin ? truth.pixels[i] / factor : truth.pixels[i] * factor;
         }

@@ -12,6 +12,7 @@
 #include "core/json_text.hpp"
 #include "core/sha256.hpp"
 #include "golden/file_group.hpp"
+#include "image/channels.hpp"
 #include "image/image_codec.hpp"
 #include "image/manifest.hpp"
 #include "scene/scene_json.hpp"
@@ -21,12 +22,13 @@ namespace raytorus::golden {
 namespace {
 
 int marginalPixels(const image::Image& truth) {
+    const std::vector<std::string> margins = image::channelsOf({image::ChannelKind::Margin});
     int marginal = 0;
     for (int y = 0; y < truth.height; ++y) {
         for (int x = 0; x < truth.width; ++x) {
             bool flips = false;
-            for (const char* name : {"margin", "margin.count", "margin.color"}) {
-                flips = flips || truth.pixel(x, y)[static_cast<std::size_t>(truth.channelIndex(name))] < 1.0F;
+            for (const std::string& name : margins) {
+                flips = flips || truth.at(x, y, name) < 1.0F;
             }
             marginal += flips ? 1 : 0;
         }

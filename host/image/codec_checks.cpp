@@ -9,12 +9,11 @@
 #include <tuple>
 
 #include "core/error.hpp"
+#include "image/channels.hpp"
 
 namespace raytorus::image {
 
 namespace {
-
-constexpr std::array<std::string_view, 4> colourChannels = {"R", "G", "B", "A"};
 
 const char* formatName(Format format) {
     return format == Format::Exr ? "OpenEXR" : "PNG";
@@ -55,10 +54,11 @@ void checkSignature(std::span<const std::byte> bytes, Format format, std::string
 }
 
 std::vector<std::size_t> documentedOrder(std::span<const std::string> names) {
+    const std::vector<std::string> first = channelsOf({ChannelKind::Color, ChannelKind::Alpha});
     std::vector<std::size_t> order(names.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     const auto rank = [&](std::size_t channel) {
-        const auto place = std::ranges::find(colourChannels, names[channel]) - colourChannels.begin();
+        const auto place = std::ranges::find(first, names[channel]) - first.begin();
         return std::tuple(place, std::string_view(names[channel]));
     };
     std::ranges::sort(order, {}, rank);

@@ -82,4 +82,14 @@ std::span<const float> Image::pixel(int x, int y) const {
     return std::span(pixels).subspan(valueOffset(*this, x, y), channelNames.size());
 }
 
+float& Image::at(int x, int y, std::string_view channel) {
+    assert(channelIndex(channel) >= 0);
+    return pixel(x, y)[static_cast<std::size_t>(channelIndex(channel))];
+}
+
+float Image::at(int x, int y, std::string_view channel) const {
+    assert(channelIndex(channel) >= 0);
+    return pixel(x, y)[static_cast<std::size_t>(channelIndex(channel))];
+}
+
 }  // namespace raytorus::image

@@ -35,6 +35,10 @@ struct Image {
     /// All channels of one pixel. x counts from the left, y from the top.
     [[nodiscard]] std::span<float> pixel(int x, int y);
     [[nodiscard]] std::span<const float> pixel(int x, int y) const;
+
+    /// One value of a channel that there is.
+    [[nodiscard]] float& at(int x, int y, std::string_view channel);
+    [[nodiscard]] float at(int x, int y, std::string_view channel) const;
 };
 
 /// Neither NaN nor infinite. A test of the bits, so that no compiler flag can undo it.

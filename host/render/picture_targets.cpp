@@ -4,47 +4,48 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <string>
+#include <vector>
 
 #include "core/error.hpp"
+#include "image/channels.hpp"
 
 namespace raytorus::render {
 namespace {
 
-// For each image, the channels its four components become; "" is dropped, and comes last.
-constexpr std::array<std::array<const char*, 4>, 4> components = {{
-    {"R", "G", "B", "A"},
-    {"position.x", "position.y", "position.z", "t"},
-    {"normal.x", "normal.y", "normal.z", "count"},
-    {"uv.u", "uv.v", "id", ""},
-}};
-
-const std::array<const char*, 15> channelOrder = {
-    "R",        "G",        "B",        "A",    "t",    "position.x", "position.y", "position.z",
-    "normal.x", "normal.y", "normal.z", "uv.u", "uv.v", "count",      "id"};
-
-constexpr std::ptrdiff_t colorChannels = 4;
+using image::ChannelKind;
 
 std::vector<std::string> channelNames(bool aovs) {
-    return {channelOrder.begin(), aovs ? channelOrder.end() : channelOrder.begin() + colorChannels};
+    return aovs ? image::channelsOf({ChannelKind::Color, ChannelKind::Alpha, ChannelKind::Geometry})
+                : image::channelsOf({ChannelKind::Color, ChannelKind::Alpha});
+}
+
+// Where the channels of a picture find their values in image i.
+struct Way {
+    std::size_t component;
+    std::size_t channel;
+};
+
+std::vector<Way> waysFrom(std::size_t i, const image::Image& picture) {
+    std::vector<Way> ways;
+    for (std::size_t channel = 0; channel < picture.channelNames.size(); ++channel) {
+        const std::string& name = picture.channelNames[channel];
+        const image::Quantity& quantity = *image::findQuantity(name);
+        if (quantity.first.image == i) {
+            const auto before = std::ranges::find(quantity.names, name) - quantity.names.begin();
+            ways.push_back({quantity.first.component + static_cast<std::size_t>(before), channel});
+        }
+    }
+    return ways;
 }
 
 // The values of image i to the channels that they become.
 void distribute(std::span<const float> values, std::size_t i, image::Image& picture) {
-    if (picture.channelCount() == colorChannels) {
-        std::ranges::copy(values, picture.pixels.begin());
-        return;
-    }
-    std::array<std::ptrdiff_t, 4> channels{};
-    std::size_t used = 0;
-    for (; used < channels.size() && components[i][used][0] != '\0'; ++used) {
-        channels[used] = picture.channelIndex(components[i][used]);
-    }
+    const std::vector<Way> ways = waysFrom(i, picture);
     float* to = picture.pixels.data();
     for (std::size_t pixel = 0; pixel < values.size() / 4; ++pixel) {
-        for (std::size_t component = 0; component < used; ++component) {
-            to[channels[component]] = values[pixel * 4 + component];
+        for (const Way& way : ways) {
+            to[way.channel] = values[pixel * 4 + way.component];
         }
         to += picture.channelCount();
     }
@@ -64,7 +65,8 @@ PictureTargets::PictureTargets(const gpu::Context& context, VkExtent2D extent, b
 }
 
 std::size_t PictureTargets::imageCount(bool aovs) {
-    return aovs ? components.size() : 1;
+    constexpr auto imageOf = [](const image::Quantity& quantity) { return quantity.first.image; };
+    return aovs ? imageOf(std::ranges::max(image::quantities, {}, imageOf)) + 1 : 1;
 }
 
 void PictureTargets::begin(VkCommandBuffer commands, gpu::Use use, VkImageLayout layout) const {

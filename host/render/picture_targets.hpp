@@ -22,8 +22,8 @@ public:
     void begin(VkCommandBuffer commands, gpu::Use use, VkImageLayout layout) const;
 
     /// Copies their upper left `extent` to the host after `use` and leaves them in
-    /// VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL. Channels: R G B A, and with the geometric pictures t, position.x
-    /// .y .z, normal.x .y .z, uv.u, uv.v, count, id. Where nothing is hit, id is -1 and the others are 0.
+    /// VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL. Channels: colour and alpha, and with the geometric pictures all
+    /// values that image/channels.hpp lists.
     [[nodiscard]] image::Image readBack(gpu::Context& context, VkExtent2D extent, gpu::Use use,
                                         VkImageLayout layout) const;
 

@@ -9,6 +9,7 @@
 #include <limits>
 #include <string_view>
 
+#include "image/channels.hpp"
 #include "image/image_codec.hpp"
 
 namespace raytorus::report {
@@ -35,8 +36,10 @@ Range finiteRange(const image::Image& image, std::size_t channel) {
 
 image::Image displayImage(const image::Image& image, const image::Image& scale) {
     std::array<std::size_t, 3> channels = {0, 0, 0};
-    const std::array<int, 3> colour = {image.channelIndex("R"), image.channelIndex("G"),
-                                       image.channelIndex("B")};
+    const std::vector<std::string> colourNames = image::channelsOf({image::ChannelKind::Color});
+    std::array<int, 3> colour{};
+    std::ranges::transform(colourNames, colour.begin(),
+                           [&image](const std::string& name) { return image.channelIndex(name); });
     const bool hasColour = std::ranges::min(colour) >= 0;
     Range range{0.0, 1.0};
     if (hasColour) {
@@ -45,7 +48,7 @@ image::Image displayImage(const image::Image& image, const image::Image& scale) 
     } else {
         range = finiteRange(scale, 0);
     }
-    image::Image shown(image.width, image.height, {"R", "G", "B"});
+    image::Image shown(image.width, image.height, colourNames);
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) {
             const std::span<const float> from = image.pixel(x, y);

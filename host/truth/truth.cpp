@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "core/error.hpp"
+#include "image/channels.hpp"
 #include "truth/sample.hpp"
 #include "truth/sharpness.hpp"
 
@@ -19,17 +20,16 @@ namespace raytorus::truth {
 namespace {
 
 std::vector<std::string> channelNames(const TruthOptions& options) {
-    std::vector<std::string> names = {"R", "G", "B", "A"};
-    const auto add = [&names](std::initializer_list<const char*> more) {
+    using image::ChannelKind;
+    std::vector<std::string> names = image::channelsOf({ChannelKind::Color, ChannelKind::Alpha});
+    const auto add = [&names](const std::vector<std::string>& more) {
         names.insert(names.end(), more.begin(), more.end());
     };
     if (options.aovs) {
-        add({"t", "position.x", "position.y", "position.z", "normal.x", "normal.y", "normal.z", "uv.u",
-             "uv.v", "count", "id"});
+        add(image::channelsOf({ChannelKind::Geometry}));
     }
     if (options.sharpness) {
-        add({"margin", "margin.count", "margin.color", "tolerance.color", "tolerance.t", "tolerance.position",
-             "tolerance.normal", "tolerance.uv"});
+        add(image::channelsOf({ChannelKind::Margin, ChannelKind::Tolerance}));
     }
     return names;
 }

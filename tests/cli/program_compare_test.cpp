@@ -19,8 +19,7 @@ protected:
     // A copy of expected.exr with another value in the middle of one channel.
     void writeCopyWith(const std::string& channel, float value) const {
         image::Image copy = picture("expected.exr");
-        copy.pixel(copy.width / 2, copy.height / 2)[static_cast<std::size_t>(copy.channelIndex(channel))] =
-            value;
+        copy.at(copy.width / 2, copy.height / 2, channel) = value;
         image::writeImage(folder / "actual.exr", copy);
     }
 

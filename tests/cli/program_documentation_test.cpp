@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
-// docs/cli.md is true: its exit codes are those of the program and of error.hpp, and its examples work.
+// docs/cli.md is true: its exit codes are those of the program and of error.hpp, its channels those of
+// image/channels.hpp, and its examples work.
+#include <fmt/format.h>
+
 #include <sstream>
 
+#include "image/channels.hpp"
 #include "support/patterns.hpp"
 #include "support/program_test.hpp"
 
@@ -30,6 +34,17 @@ std::string blocksOf(const std::string& markdown, const std::string& language) {
     return blocks;
 }
 
+// "`position.x`, `.y`, `.z`".
+std::string documentedNames(const image::Quantity& quantity) {
+    const std::string_view first = quantity.channels().front();
+    const std::size_t dot = std::min(first.find('.'), first.size());
+    std::string text = fmt::format("`{}`", first);
+    for (const std::string_view other : quantity.channels().subspan(1)) {
+        text += fmt::format(", `{}`", other.substr(dot == first.size() ? 0 : dot));
+    }
+    return text;
+}
+
 class ProgramDocumentation : public ProgramTest {
 protected:
     const std::string page = fileText(RAYTORUS_SOURCE_DIR "/docs/cli.md");
@@ -49,6 +64,20 @@ TEST_F(ProgramDocumentation, ExitCodesAreThoseOfTheHeader) {
     }
     EXPECT_EQ(declared.size(), 13U);
     EXPECT_EQ(rowsOf(page, R"(\n\| (\d+) \| `(\w+)` \|)"), declared);
+}
+
+TEST_F(ProgramDocumentation, ChannelsAreThoseOfTheTable) {
+    std::string values = "| Channel | Value | Where nothing is hit |\n|---|---|---|\n";
+    std::string truths = "| Channel | Meaning |\n|---|---|\n";
+    for (const image::Quantity& quantity : image::quantities) {
+        (quantity.isOfTruth() ? truths : values) +=
+            fmt::format("| {} | {} |{}\n", documentedNames(quantity), quantity.meaning,
+                        quantity.isOfTruth() ? "" : fmt::format(" {} |", quantity.onMiss));
+    }
+    EXPECT_NE(page.find("\n\n" + values + "\n"), std::string::npos) << "docs/cli.md has not:\n" << values;
+    const std::string judged = fileText(RAYTORUS_SOURCE_DIR "/docs/golden.md");
+    EXPECT_NE(judged.find("\n\n" + truths + "\n"), std::string::npos) << "docs/golden.md has not:\n"
+                                                                      << truths;
 }
 
 // In their order, in one folder: later ones read what earlier ones wrote.

@@ -22,10 +22,6 @@ protected:
     }
 };
 
-float valueOf(const Image& image, int x, int y, const char* channel) {
-    return image.pixel(x, y)[static_cast<std::size_t>(image.channelIndex(channel))];
-}
-
 TEST_F(ProgramRender, WritesNothingButThePicture) {
     static_cast<void>(render("out.exr"));
     EXPECT_EQ(namesIn(folder), (std::vector<std::string>{"out.exr", "scene.json"}));
@@ -73,7 +69,7 @@ TEST_F(ProgramRender, GeometryIsThatOfTheTorusOrNone) {
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) {
             SCOPED_TRACE(testing::Message() << "pixel " << x << ", " << y);
-            const auto value = [&](const char* channel) { return valueOf(image, x, y, channel); };
+            const auto value = [&](const char* channel) { return image.at(x, y, channel); };
             EXPECT_EQ(value("A"), 1.0F);
             const float normalLength = std::hypot(value("normal.x"), value("normal.y"), value("normal.z"));
             if (value("id") == -1.0F) {

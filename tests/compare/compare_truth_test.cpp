@@ -9,6 +9,7 @@
 #include "compare/compare.hpp"
 #include "compare/comparison_text.hpp"
 #include "compare/difference.hpp"
+#include "image/channels.hpp"
 #include "image/srgb.hpp"
 #include "support/expect_error.hpp"
 
@@ -17,15 +18,14 @@ namespace {
 
 using test::expectError;
 
-const std::vector<std::string> valueNames = {"R",          "G",          "B",          "A",        "t",
-                                             "position.x", "position.y", "position.z", "normal.x", "normal.y",
-                                             "normal.z",   "uv.u",       "uv.v",       "count",    "id"};
-const std::vector<std::string> truthNames = {"margin",       "margin.count",    "margin.color",
-                                             "tolerance.t",  "tolerance.color", "tolerance.position",
-                                             "tolerance.uv", "tolerance.normal"};
+using image::ChannelKind;
+
+const std::vector<std::string> valueNames =
+    image::channelsOf({ChannelKind::Color, ChannelKind::Alpha, ChannelKind::Geometry});
+const std::vector<std::string> truthNames = image::channelsOf({ChannelKind::Margin, ChannelKind::Tolerance});
 
 float& at(image::Image& image, const std::string& channel, Pixel pixel = {2, 1}) {
-    return image.pixel(pixel.x, pixel.y)[static_cast<std::size_t>(image.channelIndex(channel))];
+    return image.at(pixel.x, pixel.y, channel);
 }
 
 image::Image values() {

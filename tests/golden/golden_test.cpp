@@ -13,6 +13,7 @@
 #include "golden/golden_check.hpp"
 #include "golden/golden_folder.hpp"
 #include "golden/golden_renew.hpp"
+#include "image/channels.hpp"
 #include "image/image_io.hpp"
 #include "image/manifest.hpp"
 #include "scene/scene_json.hpp"
@@ -94,15 +95,12 @@ protected:
         truth = image::readImage(folder / "ring_half.exr");
         // What a perfect device draws: the values of the truth.
         std::vector<std::string> names = truth.channelNames;
-        std::erase_if(names, [](const std::string& name) {
-            return name.starts_with("margin") || name.starts_with("tolerance");
-        });
+        std::erase_if(names, [](const std::string& name) { return image::findQuantity(name)->isOfTruth(); });
         perfect = image::Image(truth.width, truth.height, names);
         for (int y = 0; y < truth.height; ++y) {
             for (int x = 0; x < truth.width; ++x) {
                 for (std::size_t i = 0; i < names.size(); ++i) {
-                    perfect.pixel(x, y)[i] =
-                        truth.pixel(x, y)[static_cast<std::size_t>(truth.channelIndex(names[i]))];
+                    perfect.pixel(x, y)[i] = truth.at(x, y, names[i]);
                 }
             }
         }
@@ -136,10 +134,6 @@ protected:
         expectFailure(perfect, ExitCode::File, "ring_half.exr");
         acceptGolden();
         expectFailure(perfect, code, words);
-    }
-
-    float& value(image::Image& picture, int x, int y, const char* channel) const {
-        return picture.pixel(x, y)[static_cast<std::size_t>(picture.channelIndex(channel))];
     }
 
     void writeGolden(const image::Image& picture) const {
@@ -200,7 +194,7 @@ TEST_F(UnfitGolden, WithOtherChannels) {
 TEST_F(UnfitGolden, WithANan) {
     for (const char* channel : {"R", "t", "margin", "tolerance.t"}) {
         image::Image spoilt = truth;
-        value(spoilt, 7, 9, channel) = std::numeric_limits<float>::quiet_NaN();
+        spoilt.at(7, 9, channel) = std::numeric_limits<float>::quiet_NaN();
         writeGolden(spoilt);
         expectUnfit(ExitCode::NonFinite, "not finite");
     }
@@ -208,7 +202,7 @@ TEST_F(UnfitGolden, WithANan) {
 
 TEST_F(UnfitGolden, WithAnInfinity) {
     image::Image spoilt = truth;
-    value(spoilt, 7, 9, "tolerance.color") = std::numeric_limits<float>::infinity();
+    spoilt.at(7, 9, "tolerance.color") = std::numeric_limits<float>::infinity();
     writeGolden(spoilt);
     expectUnfit(ExitCode::NonFinite, "not finite");
 }
@@ -277,7 +271,7 @@ TEST_F(UnfitGolden, PictureWithANanOrAnInfinity) {
     for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
                             -std::numeric_limits<float>::infinity()}) {
         image::Image spoilt = perfect;
-        value(spoilt, 20, 15, "G") = bad;
+        spoilt.at(20, 15, "G") = bad;
         expectFailure(spoilt, ExitCode::NonFinite, "not finite");
     }
 }
@@ -290,19 +284,19 @@ TEST_F(UnfitGolden, PictureOfAnotherSize) {
 // In a pixel that is sure of everything, each channel off by twice what the truth allows there.
 TEST_F(UnfitGolden, PictureWithOneValueOff) {
     const int x = 24, y = 21;
-    ASSERT_GE(value(truth, x, y, "margin"), 1.0F);
-    ASSERT_GE(value(truth, x, y, "id"), 0.0F) << "a pixel without a hit shows little";
+    ASSERT_GE(truth.at(x, y, "margin"), 1.0F);
+    ASSERT_GE(truth.at(x, y, "id"), 0.0F) << "a pixel without a hit shows little";
     for (const auto& [channel, tolerance] :
          {std::pair("R", "tolerance.color"), std::pair("B", "tolerance.color"), std::pair("t", "tolerance.t"),
           std::pair("position.y", "tolerance.position"), std::pair("normal.z", "tolerance.normal"),
           std::pair("uv.v", "tolerance.uv")}) {
         image::Image spoilt = perfect;
-        value(spoilt, x, y, channel) += 2.0F * value(truth, x, y, tolerance);
+        spoilt.at(x, y, channel) += 2.0F * truth.at(x, y, tolerance);
         expectFailure(spoilt, ExitCode::ComparisonFailed, channel);
     }
     for (const char* channel : {"count", "id", "A"}) {
         image::Image spoilt = perfect;
-        value(spoilt, x, y, channel) += 1.0F;
+        spoilt.at(x, y, channel) += 1.0F;
         expectFailure(spoilt, ExitCode::ComparisonFailed, channel);
     }
 }
@@ -315,7 +309,7 @@ TEST_F(UnfitGolden, PictureOfALooseDevice) {
     };
     for (const float off : {7.5F, 8.5F}) {
         image::Image spoilt = perfect;
-        value(spoilt, 24, 21, "t") += off * value(truth, 24, 21, "tolerance.t");
+        spoilt.at(24, 21, "t") += off * truth.at(24, 21, "tolerance.t");
         EXPECT_EQ(codeAt(spoilt, 1.0F), ExitCode::ComparisonFailed);
         EXPECT_EQ(codeAt(spoilt, 8.0F), off < 8.0F ? ExitCode::Ok : ExitCode::ComparisonFailed);
     }
@@ -327,14 +321,14 @@ TEST_F(UnfitGolden, PictureOfALooseDeviceThatFlips) {
     for (const float margin : {4.0F, 8.0F}) {
         image::Image edge = truth;
         for (const char* channel : {"margin", "margin.count", "margin.color"}) {
-            value(edge, x, y, channel) = margin;
+            edge.at(x, y, channel) = margin;
         }
         writeGolden(edge);
         acceptGolden();
         const golden::Set set(folder);
         for (const char* channel : {"id", "count", "R"}) {
             image::Image spoilt = perfect;
-            value(spoilt, x, y, channel) += 1.0F;
+            spoilt.at(x, y, channel) += 1.0F;
             EXPECT_EQ(golden::check(set, set.cases()[0], "label", spoilt).exitCode,
                       ExitCode::ComparisonFailed);
             const golden::Checked loose = golden::check(set, set.cases()[0], "label", spoilt, 0, 8.0F);
@@ -347,7 +341,7 @@ TEST_F(UnfitGolden, PictureWithOtherBits) {
     const golden::Set set(folder);
     EXPECT_EQ(golden::bitsFault(set, set.cases()[0], perfect), "");
     image::Image spoilt = perfect;
-    value(spoilt, 24, 21, "R") = std::nextafter(value(spoilt, 24, 21, "R"), 2.0F);
+    spoilt.at(24, 21, "R") = std::nextafter(spoilt.at(24, 21, "R"), 2.0F);
     EXPECT_NE(golden::bitsFault(set, set.cases()[0], spoilt).find("other bits"), std::string::npos);
 }
 

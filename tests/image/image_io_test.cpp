@@ -84,9 +84,7 @@ TEST(ImageIo, ExrChannelsComeInTheDocumentedOrderWithTheirOwnValues) {
     for (int y = 0; y < 3; ++y) {
         for (int x = 0; x < 5; ++x) {
             for (const std::string& name : written) {
-                EXPECT_EQ(back.pixel(x, y)[static_cast<std::size_t>(back.channelIndex(name))],
-                          image.pixel(x, y)[static_cast<std::size_t>(image.channelIndex(name))])
-                    << name << " at " << x << ", " << y;
+                EXPECT_EQ(back.at(x, y, name), image.at(x, y, name)) << name << " at " << x << ", " << y;
             }
         }
     }

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Images in memory: their shape, their pixels, and the sRGB curve.
+// Images in memory: their shape, their pixels, the table of their channels, and the sRGB curve.
 #include "image/image.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <set>
 
+#include "image/channels.hpp"
 #include "image/srgb.hpp"
 #include "support/expect_error.hpp"
 
@@ -32,6 +35,38 @@ TEST(Image, FindsChannelsByName) {
     EXPECT_EQ(image.channelIndex("normal.x"), 1);
     EXPECT_EQ(image.channelIndex("normal"), -1);
     EXPECT_EQ(image.channelIndex(""), -1);
+}
+
+bool isOfKind(std::string_view channel, ChannelKind kind) {
+    const Quantity* const quantity = findQuantity(channel);
+    return quantity != nullptr && quantity->kind == kind;
+}
+
+TEST(Channels, ValuesNameMarginsAndTolerancesThatThereAre) {
+    for (const Quantity& quantity : quantities) {
+        const std::string name(quantity.channels().front());
+        EXPECT_TRUE(quantity.margin.empty() || isOfKind(quantity.margin, ChannelKind::Margin)) << name;
+        EXPECT_TRUE(quantity.tolerance.empty() || isOfKind(quantity.tolerance, ChannelKind::Tolerance))
+            << name;
+        EXPECT_EQ(quantity.isOfTruth(), quantity.onMiss.empty()) << name;
+    }
+    for (const std::string& channel : channelsOf({ChannelKind::Margin, ChannelKind::Tolerance})) {
+        EXPECT_TRUE(std::ranges::any_of(quantities, [&channel](const Quantity& quantity) {
+            return quantity.margin == channel || quantity.tolerance == channel;
+        })) << channel;
+    }
+}
+
+TEST(Channels, AreDrawnByOneComponentEach) {
+    std::set<std::pair<std::size_t, std::size_t>> drawn;
+    for (const Quantity& quantity : quantities) {
+        for (std::size_t i = 0; i < quantity.channels().size() && !quantity.isOfTruth(); ++i) {
+            const std::size_t component = quantity.first.component + i;
+            EXPECT_LT(component, 4U) << quantity.channels()[i];
+            EXPECT_TRUE(drawn.emplace(quantity.first.image, component).second) << quantity.channels()[i];
+        }
+    }
+    EXPECT_EQ(drawn.size(), 15U);
 }
 
 TEST(Image, RefusesShapesThatMakeNoSense) {

@@ -9,6 +9,8 @@
 #include <numbers>
 #include <optional>
 
+#include "image/channels.hpp"
+
 namespace raytorus::test {
 namespace {
 
@@ -18,20 +20,10 @@ constexpr int width = 48;
 constexpr int height = 32;
 constexpr double pixelSize = 2.75 / height;  // the ring's major radius is 1
 
-const std::vector<std::string> valueNames = {"R",          "G",          "B",          "A",        "t",
-                                             "position.x", "position.y", "position.z", "normal.x", "normal.y",
-                                             "normal.z",   "uv.u",       "uv.v",       "count",    "id"};
-const std::vector<std::string> truthNames = {"margin",           "margin.count", "margin.color",
-                                             "tolerance.color",  "tolerance.t",  "tolerance.position",
-                                             "tolerance.normal", "tolerance.uv"};
+using image::ChannelKind;
 
-std::size_t channelOf(const Image& picture, const std::string& name) {
-    return static_cast<std::size_t>(picture.channelIndex(name));
-}
-
-float& at(Image& picture, int x, int y, const std::string& channel) {
-    return picture.pixel(x, y)[channelOf(picture, channel)];
-}
+const std::vector<std::string> valueNames =
+    image::channelsOf({ChannelKind::Color, ChannelKind::Alpha, ChannelKind::Geometry});
 
 // From the middle of a pixel to the circle in the middle of the tube, outwards.
 struct Place {
@@ -52,7 +44,7 @@ double primary(double hue, double phase) {
 
 void fillPixel(Image& picture, int x, int y, double minorRadius, double hue, double turn) {
     const auto set = [&](const std::string& channel, double value) {
-        at(picture, x, y, channel) = static_cast<float>(value);
+        picture.at(x, y, channel) = static_cast<float>(value);
     };
     set("A", 1.0);
     const Place place = placeOf(x, y);
@@ -124,8 +116,8 @@ report::ReportCase caseOf(Sample sample) {
 Image rounded(Image picture) {
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            at(picture, x, y, "t") += 1e-6f * static_cast<float>((x * 7 + y * 3) % 5 - 2) / 5.0f;
-            at(picture, x, y, "position.x") += 1e-6f * static_cast<float>((x + 5 * y) % 7 - 3) / 5.0f;
+            picture.at(x, y, "t") += 1e-6f * static_cast<float>((x * 7 + y * 3) % 5 - 2) / 5.0f;
+            picture.at(x, y, "position.x") += 1e-6f * static_cast<float>((x + 5 * y) % 7 - 3) / 5.0f;
         }
     }
     return picture;
@@ -168,8 +160,8 @@ Image withHole(Image picture) {
 }
 
 Image withNan(Image picture) {
-    at(picture, 34, 20, "normal.x") = std::numeric_limits<float>::quiet_NaN();
-    at(picture, 34, 20, "R") = std::numeric_limits<float>::quiet_NaN();
+    picture.at(34, 20, "normal.x") = std::numeric_limits<float>::quiet_NaN();
+    picture.at(34, 20, "R") = std::numeric_limits<float>::quiet_NaN();
     return picture;
 }
 
@@ -177,7 +169,7 @@ Image withNan(Image picture) {
 Image withDrift(Image picture) {
     for (int y = 0; y < height; ++y) {
         for (int x = width / 2; x < width; ++x) {
-            at(picture, x, y, "t") *= 1.0f + 4e-7f * static_cast<float>(x - width / 2) / 8.0f;
+            picture.at(x, y, "t") *= 1.0f + 4e-7f * static_cast<float>(x - width / 2) / 8.0f;
         }
     }
     return picture;
@@ -197,16 +189,18 @@ Image sampleRing(double minorRadius, double hue, double turn) {
 
 Image sampleTruth(double minorRadius, double hue, double turn) {
     const Image ring = sampleRing(minorRadius, hue, turn);
-    std::vector<std::string> names = valueNames;
-    names.insert(names.end(), truthNames.begin(), truthNames.end());
-    Image truth(width, height, names);
+    Image truth(width, height,
+                image::channelsOf({ChannelKind::Color, ChannelKind::Alpha, ChannelKind::Geometry,
+                                   ChannelKind::Margin, ChannelKind::Tolerance}));
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             std::ranges::copy(ring.pixel(x, y), truth.pixel(x, y).begin());
             const double edge = std::abs(std::abs(placeOf(x, y).across) - minorRadius);
-            for (const std::string& name : truthNames) {
-                at(truth, x, y, name) =
-                    name.starts_with("margin") ? static_cast<float>(edge / (0.2 * pixelSize)) : 1e-6f;
+            for (const std::string& name : image::channelsOf({ChannelKind::Margin})) {
+                truth.at(x, y, name) = static_cast<float>(edge / (0.2 * pixelSize));
+            }
+            for (const std::string& name : image::channelsOf({ChannelKind::Tolerance})) {
+                truth.at(x, y, name) = 1e-6f;
             }
         }
     }
