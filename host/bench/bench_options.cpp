@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-#include "options/number_checks.hpp"
+#include "options/numbers.hpp"
 #include "options/option_text.hpp"
 #include "options/program.hpp"
 

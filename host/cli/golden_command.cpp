@@ -22,7 +22,7 @@
 #include "golden/golden_renew.hpp"
 #include "methods/methods.hpp"
 #include "options/device_options.hpp"
-#include "options/number_checks.hpp"
+#include "options/numbers.hpp"
 #include "options/progress.hpp"
 
 namespace raytorus::cli {

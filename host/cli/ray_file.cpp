@@ -11,7 +11,7 @@
 
 #include "core/console.hpp"
 #include "core/error.hpp"
-#include "options/number_text.hpp"
+#include "options/numbers.hpp"
 
 namespace raytorus::cli {
 namespace {

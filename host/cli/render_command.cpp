@@ -17,12 +17,11 @@
 #include "options/device_options.hpp"
 #include "options/frame_options.hpp"
 #include "options/method_option.hpp"
-#include "options/number_checks.hpp"
-#include "options/number_text.hpp"
+#include "options/numbers.hpp"
 #include "options/option_text.hpp"
 #include "options/progress.hpp"
 #include "render/renderer.hpp"
-#include "scene/scene_animation.hpp"
+#include "scene/scene.hpp"
 #include "scene/scene_json.hpp"
 #include "truth/truth.hpp"
 
@@ -145,7 +144,7 @@ using Draw = std::function<image::Image(const scene::Scene&, const render::Rende
 
 // Frame k is written while frame k + 1 is drawn.
 void renderFrames(const RenderCommand& command, const scene::Scene& scene,
-                  const std::vector<options::Frame>& frames, const Draw& draw) {
+                  const std::vector<options::SequenceFrame>& frames, const Draw& draw) {
     options::Progress progress(fmt::format("rendering {} frames", frames.size()));
     PictureWriter writer(1, image::writeImage);
     render::RenderOptions options = command.options;
@@ -161,7 +160,7 @@ void renderFrames(const RenderCommand& command, const scene::Scene& scene,
 }
 
 void renderSequence(const RenderCommand& command, const scene::Scene& scene,
-                    const std::vector<options::Frame>& frames) {
+                    const std::vector<options::SequenceFrame>& frames) {
     if (command.exact) {
         renderFrames(command, scene, frames, renderExactly);
         return;
@@ -221,7 +220,7 @@ void renderPicture(const RenderCommand& command, const scene::Scene& scene, Meas
 ExitCode runRender(RenderCommand command) {
     Measured measured;
     readOptions(command);
-    const std::vector<options::Frame> frames = options::framesOf(command.frames, command.output);
+    const std::vector<options::SequenceFrame> frames = options::framesOf(command.frames, command.output);
     const scene::Scene scene = scene::readScene(command.scene);
     if (command.frames.moves() && !scene.turntable) {
         throw Error(ExitCode::Usage,
@@ -229,7 +228,7 @@ ExitCode runRender(RenderCommand command) {
                                 command.scene));
     }
     measured.stats.read = measured.watch.lap();
-    for (const options::Frame& frame : frames) {
+    for (const options::SequenceFrame& frame : frames) {
         requireWritable(frame.output);
     }
     if (command.frames.sequence()) {

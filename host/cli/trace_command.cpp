@@ -13,7 +13,7 @@
 #include "core/console.hpp"
 #include "options/device_options.hpp"
 #include "options/method_option.hpp"
-#include "options/number_text.hpp"
+#include "options/numbers.hpp"
 #include "options/option_text.hpp"
 #include "options/progress.hpp"
 #include "trace/tracer.hpp"

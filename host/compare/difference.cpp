@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Pictures of where two images differ, and whether it matters.
+// Where two images differ, and whether it matters.
 #include "compare/difference.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <span>
 
 #include "compare/channel_judge.hpp"
 #include "core/error.hpp"
+#include "image/channels.hpp"
 #include "image/srgb.hpp"
 
 namespace raytorus::compare {
@@ -105,7 +108,7 @@ image::Image paint(const image::Image& expected, const image::Image& actual, con
         throw Error(ExitCode::SizeDiffers,
                     "there is no difference picture of images of other size or channels");
     }
-    image::Image picture(expected.width, expected.height, {"R", "G", "B"});
+    image::Image picture(expected.width, expected.height, image::channelsOf({image::ChannelKind::Color}));
     for (int y = 0; y < picture.height; ++y) {
         for (int x = 0; x < picture.width; ++x) {
             // Those that only a truth has, its margins and tolerances, are numbers too.
@@ -121,6 +124,15 @@ image::Image paint(const image::Image& expected, const image::Image& actual, con
     return picture;
 }
 
+std::size_t binOf(double difference, double limit) {
+    double ratio = 0.0;
+    if (difference > 0.0) {
+        ratio = limit > 0.0 ? difference / limit : std::numeric_limits<double>::infinity();
+    }
+    const auto* const end = std::ranges::lower_bound(histogramEnds, ratio);
+    return static_cast<std::size_t>(end - histogramEnds.begin());
+}
+
 }  // namespace
 
 image::Image differenceImage(const image::Image& expected, const image::Image& actual,
@@ -131,6 +143,30 @@ image::Image differenceImage(const image::Image& expected, const image::Image& a
 image::Image marginImage(const image::Image& expected, const image::Image& actual,
                          const CompareRules& rules) {
     return paint(expected, actual, rules, marginColour);
+}
+
+DifferenceHistogram differenceHistogram(const image::Image& expected, const image::Image& actual,
+                                        const CompareRules& rules) {
+    DifferenceHistogram histogram;
+    const std::vector<ChannelJudge> judges = channelJudges(expected, actual, rules);
+    for (int y = 0; !judges.empty() && y < expected.height; ++y) {
+        for (int x = 0; x < expected.width; ++x) {
+            const std::span<const float> expectedPixel = expected.pixel(x, y);
+            const std::span<const float> actualPixel = actual.pixel(x, y);
+            for (const ChannelJudge& judge : judges) {
+                if (!image::isFinite(expectedPixel[judge.expected]) ||
+                    !image::isFinite(actualPixel[judge.actual])) {
+                    ++histogram.notFinite;
+                } else if (judge.marginal(expectedPixel)) {
+                    ++histogram.marginal;
+                } else {
+                    ++histogram.counts[binOf(judge.difference(expectedPixel, actualPixel),
+                                             judge.limit(expectedPixel))];
+                }
+            }
+        }
+    }
+    return histogram;
 }
 
 }  // namespace raytorus::compare

@@ -10,8 +10,7 @@
 
 #include "core/error.hpp"
 #include "image/codec_module.hpp"
-#include "image/png_decode.hpp"
-#include "image/png_encode.hpp"
+#include "image/png.hpp"
 
 namespace raytorus::image {
 

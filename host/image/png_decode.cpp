@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // PNG files by libpng, read as they are stored.
-#include "image/png_decode.hpp"
-
 #include <fmt/format.h>
 #include <png.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <array>
@@ -13,12 +12,47 @@
 #include <cstring>
 #include <optional>
 
+#include "image/channels.hpp"
 #include "image/codec_checks.hpp"
-#include "image/png_chunks.hpp"
+#include "image/png.hpp"
 
 namespace raytorus::image {
 
 namespace {
+
+// A PNG file is a signature, then chunks of length, type, data and checksum.
+constexpr std::size_t signatureSize = 8;
+constexpr std::size_t frameSize = 12;  // length, type and checksum of a chunk
+
+std::uint32_t bigEndian(std::span<const std::byte> bytes) {
+    std::uint32_t value = 0;
+    for (const std::byte byte : bytes.first(4)) {
+        value = value << 8 | std::to_integer<std::uint32_t>(byte);
+    }
+    return value;
+}
+
+// What is wrong with the chunks of a PNG file, as the end of a sentence, or nothing. Every chunk must be
+// whole, have the right checksum, and the last must be IEND: libpng is content with a file that was cut after
+// its last row, and reports the rest on stderr behind our back.
+std::string pngProblem(std::span<const std::byte> bytes) {
+    for (std::size_t at = signatureSize; bytes.size() - at >= frameSize;) {
+        const std::size_t length = bigEndian(bytes.subspan(at));
+        if (length > bytes.size() - at - frameSize) {
+            return fmt::format("it is truncated or corrupt (the chunk at byte {} does not end)", at);
+        }
+        const std::span<const std::byte> typeAndData = bytes.subspan(at + 4, length + 4);
+        const uLong sum = crc32_z(0, reinterpret_cast<const Bytef*>(typeAndData.data()), typeAndData.size());
+        if (sum != bigEndian(bytes.subspan(at + 8 + length))) {
+            return fmt::format("it is corrupt (the checksum of the chunk at byte {} is wrong)", at);
+        }
+        if (std::string_view(reinterpret_cast<const char*>(typeAndData.data()), 4) == "IEND") {
+            return {};
+        }
+        at += frameSize + length;
+    }
+    return "it is truncated (its last chunk is missing)";
+}
 
 struct PngInput {
     std::span<const std::byte> bytes;  // not yet read
@@ -55,9 +89,14 @@ void readInput(png_struct* png, png_byte* to, std::size_t size) {
 void passOverWarning(png_struct* /*png*/, const char* /*warning*/) {}
 
 std::vector<std::string> namesOf(std::size_t channels) {
-    const std::array<std::vector<std::string>, 4> names = {
-        {{"Y"}, {"Y", "A"}, {"R", "G", "B"}, {"R", "G", "B", "A"}}};
-    return names[channels - 1];
+    std::vector<std::string> names{"Y"};
+    if (channels > 2) {
+        names = channelsOf({ChannelKind::Color});
+    }
+    if (channels % 2 == 0) {
+        names.push_back(channelsOf({ChannelKind::Alpha}).front());
+    }
+    return names;
 }
 
 // Deflate makes at most 258 bytes of two bits.

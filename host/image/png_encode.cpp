@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "image/png_encode.hpp"
-
 #include <fmt/format.h>
 #include <png.h>
 #include <zlib.h>
@@ -12,6 +10,8 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "image/channels.hpp"
+#include "image/png.hpp"
 #include "image/srgb.hpp"
 
 namespace raytorus::image {
@@ -24,12 +24,12 @@ struct Channels {
     std::size_t count = 0;
 };
 
-Channels channelsOf(const Image& image, std::string_view name) {
+Channels storedChannels(const Image& image, std::string_view name) {
     Channels channels;
-    for (const std::string_view channel : {"R", "G", "B", "A"}) {
+    for (const std::string& channel : channelsOf({ChannelKind::Color, ChannelKind::Alpha})) {
         if (const int index = image.channelIndex(channel); index >= 0) {
             channels.index[channels.count++] = static_cast<std::size_t>(index);
-        } else if (channel != "A") {
+        } else if (findQuantity(channel)->kind == ChannelKind::Color) {
             throw Error(
                 ExitCode::File,
                 fmt::format("cannot write \"{}\": a PNG needs the channels R, G and B, and the image has "
@@ -117,7 +117,7 @@ bool writePng(png_struct* png, png_info* info, const Image& image, std::size_t c
 }  // namespace
 
 std::vector<std::byte> encodePng(const Image& image, std::string_view name) {
-    const Channels channels = channelsOf(image, name);
+    const Channels channels = storedChannels(image, name);
     const std::vector<std::uint8_t> stored = storedValues(image, channels, name);
     Output output;
     png_struct* png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &output, keepProblem, nullptr);

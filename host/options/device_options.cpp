@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include "core/console.hpp"
-#include "options/number_checks.hpp"
+#include "options/numbers.hpp"
 
 namespace raytorus::options {
 

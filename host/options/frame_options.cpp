@@ -82,7 +82,7 @@ void addFrameOptions(CLI::App& command, FrameOptions& options) {
         ->option_text("F");
 }
 
-std::vector<Frame> framesOf(const FrameOptions& options, const std::string& output) {
+std::vector<SequenceFrame> framesOf(const FrameOptions& options, const std::string& output) {
     const double start = timeOf(options.time);
     if (!options.sequence()) {
         if (!options.rate.empty()) {
@@ -101,7 +101,7 @@ std::vector<Frame> framesOf(const FrameOptions& options, const std::string& outp
         fail(fmt::format("the {} # in \"{}\" have no room for the number {} of the last frame",
                          pattern.digits, output, last));
     }
-    std::vector<Frame> frames;
+    std::vector<SequenceFrame> frames;
     for (int k = 0; k < count; ++k) {
         frames.push_back({pattern.name(k), start + k / rate});
     }

@@ -21,7 +21,8 @@ struct FrameOptions {
 /// --time, --frames, --fps.
 void addFrameOptions(CLI::App& command, FrameOptions& options);
 
-struct Frame {
+/// One picture of a sequence.
+struct SequenceFrame {
     std::string output;
     double seconds = 0.0;
 };
@@ -29,6 +30,6 @@ struct Frame {
 /// One frame for `output` itself; or with --frames N those from 0 to N - 1, in whose names the number, with
 /// zeros before it, stands for the one run of # in the name of the file. Frame k is the moment --time + k /
 /// --fps. Throws Error{Usage} if the options contradict each other or the pattern.
-[[nodiscard]] std::vector<Frame> framesOf(const FrameOptions& options, const std::string& output);
+[[nodiscard]] std::vector<SequenceFrame> framesOf(const FrameOptions& options, const std::string& output);
 
 }  // namespace raytorus::options

@@ -10,7 +10,7 @@
 #include "core/console.hpp"
 #include "core/error.hpp"
 #include "core/torus_range.hpp"
-#include "options/number_text.hpp"
+#include "options/numbers.hpp"
 #include "scene/scene.hpp"
 
 namespace raytorus::options {

@@ -2,9 +2,11 @@
 # cmake -DFOLDER=<this folder> -DOUTPUT=<file.cpp> -P embed.cmake
 file(READ "${FOLDER}/report.css" style)
 file(READ "${FOLDER}/report.js" script)
-file(WRITE "${OUTPUT}" "#include \"report/embedded.hpp\"
+file(WRITE "${OUTPUT}" "#include <string_view>
 
 namespace raytorus::report {
+
+extern const std::string_view styleSheet, script;
 
 const std::string_view styleSheet = R\"embedded(\n${style})embedded\";
 

@@ -12,10 +12,12 @@
 
 #include "core/markup.hpp"
 #include "core/output_file.hpp"
-#include "report/embedded.hpp"
 #include "report/report_case.hpp"
 
 namespace raytorus::report {
+
+// report.css and report.js, as they stand in this folder: embed.cmake.
+extern const std::string_view styleSheet, script;
 
 namespace {
 

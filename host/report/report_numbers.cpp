@@ -9,7 +9,7 @@
 
 #include "compare/channel_judge.hpp"
 #include "compare/comparison_text.hpp"
-#include "compare/difference_histogram.hpp"
+#include "compare/difference.hpp"
 #include "core/markup.hpp"
 #include "report/report_case.hpp"
 

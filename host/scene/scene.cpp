@@ -1,15 +1,30 @@
 // SPDX-License-Identifier: MIT
-// Defaults of a scene that depend on what is in it.
+// Defaults of a scene that depend on what is in it, and a scene in motion.
 #include "scene/scene.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
+#include <limits>
+#include <numbers>
 
 #include "scene/bvh.hpp"
 
 namespace raytorus::scene {
+
+namespace {
+
+/// Since the last whole turn, or before the next one, whichever is nearer; exactly 0 at a whole turn.
+double secondsIntoTurn(double seconds, double secondsPerTurn) {
+    const double part = std::remainder(seconds, secondsPerTurn);  // exact
+    // Both numbers are off by half an ulp from those that were meant, 1/24 s or 0.1 s.
+    const bool whole = std::abs(part) <= std::numeric_limits<double>::epsilon() * std::abs(seconds);
+    return whole ? 0.0 : part;
+}
+
+}  // namespace
 
 Sphere enclosingSphere(std::span<const TorusInstance> tori) {
     Box all = boundsOf(tori.front());
@@ -50,6 +65,25 @@ std::vector<Light> defaultLights() {
     const Light key{Light::Type::Directional, {-0.5, -0.55, 0.9}, {0.9, 0.86, 0.79}};
     const Light fill{Light::Type::Directional, {0.9, -0.35, 0.2}, {0.16, 0.2, 0.27}};
     return {key, fill};
+}
+
+Scene sceneAt(const Scene& scene, double seconds) {
+    Scene moved = scene;
+    if (!scene.turntable) {
+        return moved;
+    }
+    const Turntable& table = *scene.turntable;
+    const double part = secondsIntoTurn(seconds, table.secondsPerTurn);
+    if (part == 0.0) {
+        return moved;
+    }
+    const double angle = 2.0 * std::numbers::pi * (part / table.secondsPerTurn);
+    const glm::dquat turn = glm::angleAxis(angle, glm::normalize(table.axis));
+    for (TorusInstance& torus : moved.tori) {
+        torus.translation = table.center + turn * (torus.translation - table.center);
+        torus.rotation = glm::normalize(turn * torus.rotation);
+    }
+    return moved;
 }
 
 }  // namespace raytorus::scene

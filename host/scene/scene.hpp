@@ -130,4 +130,9 @@ Camera framingCamera(const std::vector<TorusInstance>& tori, double aspectRatio)
 /// lights.
 std::vector<Light> defaultLights();
 
+/// The scene with its tori where they are at this time, which is finite; negative is before the start. At 0,
+/// and whenever whole turns have passed, as nearly as a double tells time, they are exactly where the scene
+/// has them. A scene in which nothing moves stays as it is.
+[[nodiscard]] Scene sceneAt(const Scene& scene, double seconds);
+
 }  // namespace raytorus::scene

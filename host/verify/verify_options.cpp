@@ -12,7 +12,7 @@
 #include "core/parse_number.hpp"
 #include "core/shell_quote.hpp"
 #include "options/method_option.hpp"
-#include "options/number_checks.hpp"
+#include "options/numbers.hpp"
 #include "options/option_text.hpp"
 #include "options/program.hpp"
 #include "trace/device_words.hpp"

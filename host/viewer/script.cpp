@@ -36,7 +36,7 @@ void ScriptDriver::drive(bool complete, double seconds, CommandQueue& commands) 
 }
 
 void ScriptDriver::driveSequence(double seconds, CommandQueue& commands) {
-    const options::Frame& frame = wanted.sequence[picturesWritten];
+    const options::SequenceFrame& frame = wanted.sequence[picturesWritten];
     if (seconds == frame.seconds) {
         commands.push(WritePicture{frame.output});
         ++picturesWritten;

@@ -14,7 +14,7 @@ namespace raytorus::viewer {
 /// What the command line asks for before the window closes by itself.
 struct Script {
     int frames = 0;                        ///< to be shown, at least
-    std::vector<options::Frame> sequence;  ///< pictures to be written, one after the other
+    std::vector<options::SequenceFrame> sequence;  ///< pictures to be written, one after the other
     std::string screenshot;
     std::string windowScreenshot;
 };

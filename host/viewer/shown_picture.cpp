@@ -8,7 +8,7 @@
 
 #include "core/error.hpp"
 #include "image/image_io.hpp"
-#include "scene/scene_animation.hpp"
+#include "scene/scene.hpp"
 #include "viewer/capture.hpp"
 #include "viewer/navigation.hpp"
 

@@ -7,8 +7,7 @@
 
 #include "core/console.hpp"
 #include "image/image_io.hpp"
-#include "options/number_checks.hpp"
-#include "options/number_text.hpp"
+#include "options/numbers.hpp"
 #include "options/option_text.hpp"
 #include "options/program.hpp"
 #include "scene/scene_json.hpp"

@@ -15,7 +15,7 @@
 #include "core/console.hpp"
 #include "core/file.hpp"
 #include "mutate/mutation_run.hpp"
-#include "options/number_checks.hpp"
+#include "options/numbers.hpp"
 #include "options/option_text.hpp"
 #include "options/program.hpp"
 

@@ -10,7 +10,7 @@ namespace raytorus::options {
 namespace {
 
 TEST(FrameOptions, OnePictureIsTheFileItself) {
-    const std::vector<Frame> frames = framesOf({}, "a-##.png");
+    const std::vector<SequenceFrame> frames = framesOf({}, "a-##.png");
     ASSERT_EQ(frames.size(), 1U);
     EXPECT_EQ(frames[0].output, "a-##.png");
     EXPECT_EQ(frames[0].seconds, 0.0);
@@ -25,7 +25,7 @@ TEST(FrameOptions, OnePictureIsTheFileItself) {
 TEST(FrameOptions, NumbersStandForTheRunOfHashes) {
     const auto names = [](const std::string& count, const std::string& output) {
         std::string all;
-        for (const Frame& frame : framesOf({"", count, "24"}, output)) {
+        for (const SequenceFrame& frame : framesOf({"", count, "24"}, output)) {
             all += frame.output + " ";
         }
         return all;
@@ -40,7 +40,7 @@ TEST(FrameOptions, NumbersStandForTheRunOfHashes) {
 }
 
 TEST(FrameOptions, MomentsAreThoseOfTheFrames) {
-    const std::vector<Frame> frames = framesOf({"0.5", "97", "24"}, "##.png");
+    const std::vector<SequenceFrame> frames = framesOf({"0.5", "97", "24"}, "##.png");
     for (std::size_t k = 0; k < frames.size(); ++k) {
         EXPECT_EQ(frames[k].seconds, 0.5 + static_cast<double>(k) / 24.0);
     }

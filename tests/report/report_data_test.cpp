@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "compare/difference_histogram.hpp"
+#include "compare/difference.hpp"
 #include "report/report.hpp"
 #include "report_sample.hpp"
 #include "support/count_of.hpp"

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // A scene's moments: the tori turn as one body, about the axis and no other, and come back to the last bit.
-#include "scene/scene_animation.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
 
+#include "scene/scene.hpp"
 #include "scene/scene_json.hpp"
 
 namespace raytorus::scene {

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Numbers in the text of options and files. The whole text must be a number: "1e-3x" and "" are none.
+// Numbers in the text of options and files. The whole text must be a number: "1e-3x" and "" are none. And
+// checks of options: the library that reads the command line takes 0x10 and 010 for other bases, and nan for
+// a number within every range.
 #pragma once
 
+#include <CLI/App.hpp>
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -25,5 +29,11 @@ std::optional<std::array<float, Count>> parseFloats(std::string_view text);
 
 /// "R,r": two numbers that are finite; whether they make a torus is the torus' business.
 std::optional<std::pair<float, float>> parsePair(std::string_view text);
+
+/// Decimal digits alone, without a sign or a zero in front, and within the range.
+CLI::Validator wholeNumber(std::uint64_t least, std::uint64_t most);
+
+/// A decimal number, as "-2.5" or "1e-3": finite, and within the range.
+CLI::Validator decimalNumber(double least, double most);
 
 }  // namespace raytorus::options

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "options/number_text.hpp"
+#include "options/numbers.hpp"
+
+#include <fmt/format.h>
 
 #include <cmath>
+#include <string>
 
+#include "core/console.hpp"
 #include "core/parse_number.hpp"
 #include "scene/scene.hpp"
 
@@ -80,6 +84,28 @@ std::optional<std::pair<float, float>> parsePair(std::string_view text) {
         return std::nullopt;
     }
     return std::pair(numbers->front(), numbers->back());
+}
+
+CLI::Validator wholeNumber(std::uint64_t least, std::uint64_t most) {
+    return {[least, most](const std::string& text) -> std::string {
+                const bool octal = text.size() > 1 && text.front() == '0';
+                const auto number = parseNumber<std::uint64_t>(text);
+                return number && !octal && *number >= least && *number <= most
+                           ? ""
+                           : fmt::format("\"{}\" is no whole number from {} to {}", excerpt(text), least,
+                                         most);
+            },
+            ""};
+}
+
+CLI::Validator decimalNumber(double least, double most) {
+    return {[least, most](const std::string& text) -> std::string {
+                const auto number = parseNumber<double>(text);
+                return number && *number >= least && *number <= most
+                           ? ""
+                           : fmt::format("\"{}\" is no number from {} to {}", excerpt(text), least, most);
+            },
+            ""};
 }
 
 }  // namespace raytorus::options
