@@ -12,7 +12,7 @@
 #include <memory>
 
 #include "support/expect_error.hpp"
-#include "support/file_limit.hpp"
+#include "support/process_limits.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace raytorus {

@@ -13,7 +13,7 @@
 #include "golden/golden_renew.hpp"
 #include "image/manifest.hpp"
 #include "support/expect_error.hpp"
-#include "support/file_limit.hpp"
+#include "support/process_limits.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace raytorus::test {

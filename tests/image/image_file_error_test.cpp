@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Files that cannot be read or written: one sentence with the name and the reason, and nothing half done.
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <bit>
-#include <csignal>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -15,6 +12,7 @@
 #include "image/image_codec.hpp"
 #include "image/image_io.hpp"
 #include "support/expect_error.hpp"
+#include "support/process_limits.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace raytorus::image {
@@ -37,14 +35,6 @@ Image gradient(int width, int height) {
 void expectUnreadable(const std::filesystem::path& path, const std::string& reason) {
     expectError([&] { std::ignore = readImage(path); }, ExitCode::File, {path.filename().string(), reason});
 }
-
-// What the file system forbids, it does not forbid to root: become somebody else for a while.
-struct WithoutPrivileges {
-    WithoutPrivileges() { EXPECT_EQ(geteuid() == 0 ? seteuid(65534) : 0, 0); }
-    WithoutPrivileges(const WithoutPrivileges&) = delete;
-    WithoutPrivileges& operator=(const WithoutPrivileges&) = delete;
-    ~WithoutPrivileges() { EXPECT_EQ(getuid() == 0 ? seteuid(0) : 0, 0); }
-};
 
 TEST(ImageFileError, MissingFile) {
     expectUnreadable(scratchFolder() / "missing.exr", "there is no such file");
@@ -73,7 +63,7 @@ TEST(ImageFileError, NoPermission) {
     std::filesystem::permissions(path, std::filesystem::perms::none);
     std::filesystem::permissions(folder, static_cast<std::filesystem::perms>(0555));
     {
-        const WithoutPrivileges guard;
+        const test::WithoutPrivileges guard;
         expectUnreadable(path, "permission denied");
         expectError([&] { writeImage(folder / "new.exr", gradient(2, 2)); }, ExitCode::File,
                     {"new.exr", "permission denied"});
@@ -194,22 +184,11 @@ TEST(ImageFileError, ADiskThatIsFullLeavesTheOldFileAndNothingElse) {
     const auto folder = scratchFolder();
     writeImage(folder / "a.exr", gradient(2, 2));
     const std::string before = fileText(folder / "a.exr");
-    rlimit limit{};
-    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &limit), 0);
-    const rlim_t usual = limit.rlim_cur;
-    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-    limit.rlim_cur = 1000;  // a file that grows further fails, as on a full disk
-    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &limit), 0);
-    std::string message;
-    try {
-        writeImage(folder / "a.exr", gradient(200, 200));
-    } catch (const Error& error) {
-        message = error.what();
+    {
+        const test::Limit limit(RLIMIT_FSIZE, 1000);  // a file that grows further fails, as on a full disk
+        expectError([&] { writeImage(folder / "a.exr", gradient(200, 200)); }, ExitCode::File,
+                    {"a.exr\": file too large"});
     }
-    limit.rlim_cur = usual;
-    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &limit), 0);
-    std::signal(SIGXFSZ, handler);
-    EXPECT_NE(message.find("a.exr\": file too large"), std::string::npos) << message;
     EXPECT_EQ(fileText(folder / "a.exr"), before);
     EXPECT_EQ(namesIn(folder), std::vector<std::string>{"a.exr"});
 }

@@ -14,6 +14,7 @@
 #include "image/image_codec.hpp"
 #include "image/image_io.hpp"
 #include "support/expect_error.hpp"
+#include "support/png_damage.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace raytorus::image {
@@ -44,36 +45,11 @@ void writeBlackPng(const std::filesystem::path& path, png_uint_32 width, png_uin
     std::fclose(file);
 }
 
-std::uint32_t crcOf(const char* bytes, std::size_t size) {
-    std::uint32_t crc = 0xffffffffU;
-    for (std::size_t i = 0; i < size; ++i) {
-        crc ^= static_cast<unsigned char>(bytes[i]);
-        for (int bit = 0; bit < 8; ++bit) {
-            crc = (crc & 1U) != 0 ? 0xedb88320U ^ crc >> 1U : crc >> 1U;
-        }
-    }
-    return ~crc;
-}
-
-void putBigEndian(std::string& text, std::size_t at, std::uint32_t value) {
-    for (int i = 0; i < 4; ++i) {
-        text[at + static_cast<std::size_t>(i)] = static_cast<char>(value >> (24 - 8 * i));
-    }
-}
-
-// A PNG whose header promises another size than it has, with a checksum that is right.
-std::string promising(std::string png, std::uint32_t width, std::uint32_t height) {
-    putBigEndian(png, 16, width);
-    putBigEndian(png, 20, height);
-    putBigEndian(png, 29, crcOf(png.data() + 12, 17));
-    return png;
-}
-
 std::span<const std::byte> bytesOf(const std::string& text) {
     return std::as_bytes(std::span(text));
 }
 
-// The same of an EXR, which has no checksum there.
+// An EXR whose header promises another size than it has.
 std::vector<std::byte> promising(std::vector<std::byte> exr, std::int32_t width, std::int32_t height) {
     const std::string_view text(reinterpret_cast<const char*>(exr.data()), exr.size());
     for (const std::string_view window : {"dataWindow", "displayWindow"}) {
@@ -162,7 +138,7 @@ TEST(ImageSizes, OverTheLimitIsRefusedBeforeMemoryIsTaken) {
                                                    std::tuple(65536U, 65536U, "over 1073741824 values"),
                                                    std::tuple(1U, 65537U, "over 65536 pixels a side")}) {
             const std::string problem =
-                problemOf(bytesOf(promising(png, width, height)), Format::Png, headerAlone);
+                problemOf(bytesOf(test::promising(png, width, height)), Format::Png, headerAlone);
             EXPECT_TRUE(problem.find(words) != std::string::npos ||
                         (width > 1'000'000U && problem.find("truncated or corrupt") != std::string::npos))
                 << problem;
@@ -192,7 +168,7 @@ TEST(ImageSizes, WhatAHeaderPromisesTakesNoMemory) {
     }
     for (const int interlace : {PNG_INTERLACE_NONE, PNG_INTERLACE_ADAM7}) {
         writeBlackPng(folder / "small.png", 64, 64, PNG_COLOR_TYPE_RGBA, interlace);
-        const std::string png = promising(test::fileText(folder / "small.png"), 16384, 16384);
+        const std::string png = test::promising(test::fileText(folder / "small.png"), 16384, 16384);
         EXPECT_NE(problemOf(bytesOf(png), Format::Png, false).find("cannot hold 16384 x 16384 pixels"),
                   std::string::npos);
         EXPECT_LT(peakOf([&] { static_cast<void>(problemOf(bytesOf(png), Format::Png, false)); }),
@@ -216,14 +192,7 @@ TEST(ImageSizes, AnImageTakesLittleMoreThanItsPixels) {
 TEST(ImageSizes, ADamagedPngIsOneSentence) {
     const auto path = scratchFolder() / "a.png";
     writeBlackPng(path, 64, 64, PNG_COLOR_TYPE_RGB);
-    std::string png = test::fileText(path);
-    const std::size_t data = png.find("IDAT");
-    png[data + 20] = static_cast<char>(png[data + 20] ^ 0x55);
-    std::uint32_t length = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-        length = length << 8U | static_cast<unsigned char>(png[data - 4 + i]);
-    }
-    putBigEndian(png, data + 4 + length, crcOf(png.data() + data, 4 + length));
+    const std::string png = test::withDamagedData(test::fileText(path));
     testing::internal::CaptureStderr();
     const std::string problem = problemOf(bytesOf(png), Format::Png, false);
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");

@@ -4,52 +4,20 @@
 #include <cstdint>
 
 #include "reliability.hpp"
+#include "support/png_damage.hpp"
 
 namespace raytorus::test {
 namespace {
-
-std::uint32_t crcOf(const std::string& bytes) {
-    std::uint32_t crc = 0xffffffffU;
-    for (const char byte : bytes) {
-        crc ^= static_cast<unsigned char>(byte);
-        for (int bit = 0; bit < 8; ++bit) {
-            crc = (crc & 1U) != 0 ? 0xedb88320U ^ crc >> 1U : crc >> 1U;
-        }
-    }
-    return ~crc;
-}
-
-std::string bigEndian(std::uint32_t value) {
-    return {static_cast<char>(value >> 24U), static_cast<char>(value >> 16U), static_cast<char>(value >> 8U),
-            static_cast<char>(value)};
-}
-
-// Where a PNG's width, height and the checksum of both are.
-constexpr std::size_t widthAt = 16;
-constexpr std::size_t headerCrcAt = 29;
 
 class ReliabilityMemory : public Reliability {
 protected:
     // The picture, with a header that promises another size.
     void promise(const std::string& name, std::uint32_t width, std::uint32_t height) const {
-        std::string png = text(name);
-        png.replace(widthAt, 8, bigEndian(width) + bigEndian(height));
-        png.replace(headerCrcAt, 4, bigEndian(crcOf(png.substr(widthAt - 4, 17))));
-        writeText(folder / name, png);
+        writeText(folder / name, promising(text(name), width, height));
     }
 
     // Damage that no checksum tells.
-    void damageData(const std::string& name) const {
-        std::string png = text(name);
-        const std::size_t data = png.find("IDAT");
-        std::size_t length = 0;
-        for (std::size_t i = data - 4; i < data; ++i) {
-            length = length << 8U | static_cast<unsigned char>(png[i]);
-        }
-        png[data + 12] = static_cast<char>(png[data + 12] ^ 0x5a);
-        png.replace(data + 4 + length, 4, bigEndian(crcOf(png.substr(data, 4 + length))));
-        writeText(folder / name, png);
-    }
+    void damageData(const std::string& name) const { writeText(folder / name, withDamagedData(text(name))); }
 };
 
 TEST_F(ReliabilityMemory, APictureOfAnotherSizeIsNotDecoded) {

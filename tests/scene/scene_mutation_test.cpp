@@ -2,21 +2,15 @@
 // Whatever bytes come in, the reader returns a scene or throws Error: no other exception, no crash.
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
 #include <random>
 #include <string>
 
 #include "core/error.hpp"
 #include "scene/scene_json.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace raytorus::scene {
 namespace {
-
-std::string textOf(const std::string& name) {
-    std::ifstream file(RAYTORUS_SOURCE_DIR "/scenes/" + name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 TEST(SceneMutation, EndsInASceneOrAnError) {
     // Pieces of JSON and of scenes; random bytes alone rarely get past the first character.
@@ -44,7 +38,7 @@ TEST(SceneMutation, EndsInASceneOrAnError) {
     std::size_t scenes = 0;
     std::size_t errors = 0;
     for (const std::string name : {"ring.json", "inside.json", "thin.json"}) {
-        const std::string original = textOf(name);
+        const std::string original = test::fileText(std::string(RAYTORUS_SOURCE_DIR "/scenes/") + name);
         ASSERT_FALSE(original.empty()) << name;
         for (unsigned seed = 0; seed < 3000; ++seed) {
             std::mt19937 engine(seed);

@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "core/error.hpp"
 #include "scene/scene_json.hpp"
 #include "schema_validation.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace raytorus::scene {
 namespace {
@@ -212,8 +212,7 @@ TEST(SceneSchema, FitsWhatTheWriterWrites) {
 }
 
 TEST(SceneSchema, SaysTheDefaultsOfTheParser) {
-    std::ifstream file(RAYTORUS_SOURCE_DIR "/docs/scene.schema.json");
-    const json schema = json::parse(file);
+    const json schema = json::parse(test::fileText(RAYTORUS_SOURCE_DIR "/docs/scene.schema.json"));
     const auto defaultAt = [&](const std::string& pointer) {
         return schema.at(json::json_pointer(pointer + "/default"));
     };

@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 
 #include "scene/scene_json.hpp"
 #include "schema_validation.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace raytorus::scene {
 namespace {
@@ -28,8 +28,7 @@ TEST_P(ShippedScene, IsReadAndWrittenWithoutLoss) {
 }
 
 TEST_P(ShippedScene, FitsTheSchema) {
-    std::ifstream file(path);
-    const nlohmann::json document = nlohmann::json::parse(file);
+    const nlohmann::json document = nlohmann::json::parse(test::fileText(path));
     EXPECT_EQ(test::schemaComplaint(document), "");
     EXPECT_TRUE(std::filesystem::equivalent(folder / document.at("$schema"),
                                             RAYTORUS_SOURCE_DIR "/docs/scene.schema.json"));
@@ -45,8 +44,7 @@ TEST_P(ShippedScene, UsesEachOfItsMaterials) {
 }
 
 TEST_P(ShippedScene, IsInTheDocumentation) {
-    std::ifstream file(RAYTORUS_SOURCE_DIR "/docs/scenes.md");
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const std::string text = test::fileText(RAYTORUS_SOURCE_DIR "/docs/scenes.md");
     EXPECT_NE(text.find("(../scenes/" + GetParam() + ".json)"), std::string::npos);
     EXPECT_NE(text.find("(images/" + GetParam() + ".png)"), std::string::npos);
 }
@@ -66,8 +64,7 @@ TEST(ShippedScenes, AreAllInTheListAbove) {
 
 /// Each ```json block of docs/scenes.md is a scene that works.
 TEST(ShippedScenes, TheExamplesOfTheDocumentationWork) {
-    std::ifstream file(RAYTORUS_SOURCE_DIR "/docs/scenes.md");
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const std::string text = test::fileText(RAYTORUS_SOURCE_DIR "/docs/scenes.md");
     const std::string opening = "```json\n";
     std::size_t examples = 0;
     for (std::size_t at = text.find(opening); at != std::string::npos; at = text.find(opening, at + 1)) {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A limit of this process for a while: how large a file may become, how many may be open.
+// What this process may do for a while: how large a file may become, how many may be open, and whose they
+// are.
 #pragma once
 
+#include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <stdexcept>
@@ -31,6 +34,19 @@ private:
     __rlimit_resource_t resource;
     rlimit before{};
     void (*previous)(int) = SIG_DFL;
+};
+
+/// What the file system forbids, it does not forbid to root: becomes somebody else for a while. Threads keep
+/// what they were started with, and seteuid() tells those that there are.
+class WithoutPrivileges {
+public:
+    WithoutPrivileges() { EXPECT_EQ(geteuid() == 0 ? seteuid(nobody) : 0, 0); }
+    WithoutPrivileges(const WithoutPrivileges&) = delete;
+    WithoutPrivileges& operator=(const WithoutPrivileges&) = delete;
+    ~WithoutPrivileges() { EXPECT_EQ(getuid() == 0 ? seteuid(0) : 0, 0); }
+
+private:
+    static constexpr uid_t nobody = 65534;
 };
 
 }  // namespace raytorus::test
