@@ -24,9 +24,11 @@ using Tell = std::function<void(std::string_view)>;
 /// as it comes. Returns when the child has ended: nothing if it did its work to the end, or why not, as what
 /// the work does: "takes more than 2 GiB of memory". What was told before has been heard then, too.
 ///
-/// In the child there is only the calling thread, on its way through `work`; locks that other threads held
-/// stay locked. Memory allocation works. Exceptions must not leave `work`. The child ends with this process,
-/// whatever ends it, and does nothing that this process does at a signal or at its end.
+/// In the child there is only the calling thread, and one with a stack of 1 GiB that does the work: of it,
+/// only what is used takes memory. Where the system refuses such a thread, the calling one does it. Locks
+/// that other threads held stay locked. Memory allocation works. Exceptions must not leave `work`. The child
+/// ends with this process, whatever ends it, and does nothing that this process does at a signal or at its
+/// end.
 ///
 /// Throws Error{OutOfMemory} where the system allows no more processes, and what `hear` throws.
 [[nodiscard]] std::string runInChild(const std::function<void(const Tell&)>& work,

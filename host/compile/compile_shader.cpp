@@ -17,7 +17,6 @@
 #include <shared_mutex>
 #include <utility>
 
-#include "compile/large_stack.hpp"
 #include "core/parse_number.hpp"
 
 namespace raytorus::compile {
@@ -298,9 +297,7 @@ void compile(const ShaderRequest& request, IncludeSearch& search, CompiledShader
     }
     static Tables tables;
     const auto lock = tables.of(*stage, search.sources().front());
-    const auto work = [&](const Tell& tell) {
-        runWithLargeStack([&] { compileWithGlslang(*stage, request, search, tell); });
-    };
+    const auto work = [&](const Tell& tell) { compileWithGlslang(*stage, request, search, tell); };
     std::string reason;
     for (const ChildLimits& limits : attempts(request.limits)) {
         result = CompiledShader();
@@ -327,7 +324,7 @@ CompiledShader compileShader(const ShaderRequest& request) {
     const std::scoped_lock lock(oneAtATime);
 #endif
     CompiledShader result;
-    IncludeSearch search(request.entry, request.roots, request.virtualIncludes);
+    IncludeSearch search(request.entry, request.roots);
     result.files = search.files();
     compile(request, search, result);
     return result;

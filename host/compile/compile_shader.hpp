@@ -3,7 +3,7 @@
 // vulkan1.3 of the same version gives, in some 10 ms (the first time a tenth of a second, for glslang's
 // tables).
 //
-//     const CompiledShader shader = compileShader({"shaders/scene.frag", {"shaders"}, {}, {}});
+//     const CompiledShader shader = compileShader({"shaders/scene.frag", {"shaders"}, {}});
 //     if (!shader.ok()) show(describe(shader.errors.front()));
 //     watch.watch(shader.files);
 #pragma once
@@ -32,7 +32,6 @@ struct ShaderRequest {
     /// entry's, may be included, whatever "..", absolute paths and symbolic links say.
     std::vector<std::filesystem::path> roots;
     std::vector<Define> defines;
-    std::vector<VirtualInclude> virtualIncludes;
     /// Of one compilation. What exceeds them is refused as any shader that does not compile.
     ChildLimits limits{};
 };
@@ -53,7 +52,7 @@ struct CompiledShader {
 /// Any fault of the request or of a file is in the result's errors; only what the system lacks is thrown,
 /// memory or processes. May be called from any thread, and by several at once. No file damages this process:
 /// files and what they include are limited to 1 MiB together and 64 levels, and glslang runs in a process of
-/// its own, on a stack measured for that, with limits of memory and time. A shader whose macros or structures
+/// its own, with limits of memory and time. A shader whose macros or structures
 /// double themselves some thirty times ends there.
 [[nodiscard]] CompiledShader compileShader(const ShaderRequest& request);
 

@@ -31,28 +31,24 @@ bool isWithin(const fs::path& path, const fs::path& folder) {
 
 }  // namespace
 
-IncludeSearch::IncludeSearch(const fs::path& entry, const std::vector<fs::path>& roots,
-                             std::vector<VirtualInclude> virtualIncludes)
-    : rootCount(roots.size()), virtualFiles(std::move(virtualIncludes)) {
-    std::for_each(roots.begin(), roots.end(), [this](const fs::path& root) { addRoot(root); });
-    const fs::path path = absoluteNormal(entry);
+IncludeSearch::IncludeSearch(const fs::path& entry, const std::vector<fs::path>& givenRoots) {
+    std::ranges::for_each(givenRoots, [this](const fs::path& root) { addRoot(root); });
     addRoot(entry.parent_path().empty() ? fs::path(".") : entry.parent_path());
+    const fs::path path = absoluteNormal(entry);
     const SourceFile file = look(path);
     problemOfEntry = !file.problem.empty() ? file.problem : file.text.empty() ? "it is empty" : "";
     totalBytes = file.text.size();
-    readPaths.push_back(path);
-    read.push_back({path.parent_path(), nameOf(path), file.text, findDirectives(file.text)});
+    read.push_back({path, nameOf(path), file.text, findDirectives(file.text)});
 }
 
 void IncludeSearch::addRoot(const fs::path& given) {
     std::error_code problem;
     const fs::path real = fs::canonical(given, problem);
-    allowed.push_back({given, absoluteNormal(given), problem ? fs::path() : real});
+    roots.push_back({given, absoluteNormal(given), problem ? fs::path() : real});
 }
 
 bool IncludeSearch::isInside(const fs::path& path, fs::path Root::*form) const {
-    return std::any_of(allowed.begin(), allowed.end(),
-                       [&](const Root& root) { return isWithin(path, root.*form); });
+    return std::ranges::any_of(roots, [&](const Root& root) { return isWithin(path, root.*form); });
 }
 
 // By symbolic links.
@@ -63,10 +59,11 @@ bool IncludeSearch::leadsOutside(const fs::path& path) const {
 }
 
 std::string IncludeSearch::nameOf(const fs::path& path) const {
-    for (std::size_t i = 0; i < allowed.size(); ++i) {
-        if (isWithin(path, allowed[i].absolute)) {
-            const fs::path below = path.lexically_relative(allowed[i].absolute);
-            return (i == 0 && rootCount > 0 ? below : allowed[i].given / below).lexically_normal().string();
+    for (const Root& root : roots) {
+        if (isWithin(path, root.absolute)) {
+            const fs::path below = path.lexically_relative(root.absolute);
+            const bool first = &root == &roots.front() && roots.size() > 1;
+            return (first ? below : root.given / below).lexically_normal().string();
         }
     }
     return path.string();
@@ -75,13 +72,13 @@ std::string IncludeSearch::nameOf(const fs::path& path) const {
 std::vector<fs::path> IncludeSearch::folders() const {
     std::vector<fs::path> list;
     for (std::size_t i = chain.size(); i-- > 0;) {
-        list.push_back(read[chain[i]].folder);
+        list.push_back(read[chain[i]].path.parent_path());
     }
-    std::transform(allowed.begin(), allowed.begin() + static_cast<std::ptrdiff_t>(rootCount),
-                   std::back_inserter(list), [](const Root& root) { return root.absolute; });
+    std::transform(roots.begin(), roots.end() - 1, std::back_inserter(list),
+                   [](const Root& root) { return root.absolute; });
     std::vector<fs::path> once;
     for (fs::path& folder : list) {
-        if (!folder.empty() && std::find(once.begin(), once.end(), folder) == once.end()) {
+        if (std::ranges::find(once, folder) == once.end()) {
             once.push_back(std::move(folder));
         }
     }
@@ -90,7 +87,7 @@ std::vector<fs::path> IncludeSearch::folders() const {
 
 SourceFile IncludeSearch::look(const fs::path& path) {
     SourceFile file = readSourceFile(path);
-    if (std::none_of(seen.begin(), seen.end(), [&](const FileState& state) { return state.path == path; })) {
+    if (std::ranges::find(seen, path, &FileState::path) == seen.end()) {
         seen.push_back({path, fingerprint(file)});
     }
     return file;
@@ -113,62 +110,38 @@ IncludeSearch::Found IncludeSearch::search(const std::string& name) {
     if (name.empty()) {
         return {nullptr, 0, "cannot include \"\": that is no file name"};
     }
-    for (std::size_t i = 0; i < virtualFiles.size(); ++i) {
-        if (virtualFiles[i].name == name) {
-            const auto known = std::find_if(read.begin(), read.end(), [&](const Source& source) {
-                return source.folder.empty() && source.name == name;
-            });
-            return known != read.end()
-                       ? Found{&*known, static_cast<std::size_t>(known - read.begin()), {}}
-                       : add({{}, name, virtualFiles[i].text, findDirectives(virtualFiles[i].text)});
-        }
-    }
     const std::string leaves = fmt::format("cannot include \"{}\": it leaves the shader folders", name);
     if (fs::path(name).is_absolute()) {
         return {nullptr, 0, leaves};
     }
-    bool allLeave = true;
     std::string searched;
     for (const fs::path& folder : folders()) {
         const fs::path path = absoluteNormal(folder / name);
         if (!isInside(path, &Root::absolute)) {
             continue;
         }
-        allLeave = false;
-        const auto known = std::find(readPaths.begin(), readPaths.end(), path);
-        if (known != readPaths.end()) {
-            const auto id = static_cast<std::size_t>(known - readPaths.begin());
-            return {&read[id], id, {}};
+        const auto known = std::ranges::find(read, path, &Source::path);
+        if (known != read.end()) {
+            return {&*known, static_cast<std::size_t>(known - read.begin()), {}};
         }
         const SourceFile file = look(path);
+        if (!file.missing && leadsOutside(path)) {
+            return {nullptr, 0,
+                    fmt::format("cannot include \"{}\": {} is a link that leaves the shader folders", name,
+                                nameOf(path))};
+        }
+        if (file.problem.empty()) {
+            read.push_back({path, nameOf(path), file.text, findDirectives(file.text)});
+            return {&read.back(), read.size() - 1, {}};
+        }
         if (!file.missing) {
-            return open(name, path, file);
+            return {nullptr, 0,
+                    fmt::format("cannot include \"{}\": {}: {}", name, nameOf(path), file.problem)};
         }
         searched += fmt::format("{}\"{}\"", searched.empty() ? "" : ", ", nameOf(path));
     }
     return {nullptr, 0,
-            allLeave ? leaves : fmt::format("cannot include \"{}\": there is no {}", name, searched)};
-}
-
-IncludeSearch::Found IncludeSearch::open(const std::string& name, const fs::path& path,
-                                         const SourceFile& file) {
-    if (leadsOutside(path)) {
-        return {nullptr, 0,
-                fmt::format("cannot include \"{}\": {} is a link that leaves the shader folders", name,
-                            nameOf(path))};
-    }
-    if (!file.problem.empty()) {
-        return {nullptr, 0, fmt::format("cannot include \"{}\": {}: {}", name, nameOf(path), file.problem)};
-    }
-    const Found found = add({path.parent_path(), nameOf(path), file.text, findDirectives(file.text)});
-    readPaths.back() = path;
-    return found;
-}
-
-IncludeSearch::Found IncludeSearch::add(Source source) {
-    readPaths.emplace_back();
-    read.push_back(std::move(source));
-    return {&read.back(), read.size() - 1, {}};
+            searched.empty() ? leaves : fmt::format("cannot include \"{}\": there is no {}", name, searched)};
 }
 
 IncludeSearch::Found IncludeSearch::refuseAll(std::string sentence) {

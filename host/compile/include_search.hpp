@@ -16,23 +16,16 @@
 
 namespace raytorus::compile {
 
-/// A file that exists only in memory. It goes before every folder, and has no folder of its own to search.
-struct VirtualInclude {
-    std::string name;  ///< as it stands between the quotes
-    std::string text;
-};
-
 struct Source {
-    std::filesystem::path folder;  ///< empty: a virtual include
-    std::string name;              ///< for people: relative to the first root, or as its root was given
+    std::filesystem::path path;  ///< absolute and normal
+    std::string name;            ///< for people: relative to the first root, or as its root was given
     std::string text;
     std::vector<Directive> directives;
 };
 
 class IncludeSearch {
 public:
-    IncludeSearch(const std::filesystem::path& entry, const std::vector<std::filesystem::path>& roots,
-                  std::vector<VirtualInclude> virtualIncludes);
+    IncludeSearch(const std::filesystem::path& entry, const std::vector<std::filesystem::path>& roots);
 
     /// The entry is read at once; why it could not be, or nothing.
     [[nodiscard]] const std::string& entryProblem() const { return problemOfEntry; }
@@ -66,17 +59,12 @@ private:
     [[nodiscard]] std::string nameOf(const std::filesystem::path& path) const;
     [[nodiscard]] std::vector<std::filesystem::path> folders() const;
     [[nodiscard]] Found search(const std::string& name);
-    Found open(const std::string& name, const std::filesystem::path& path, const SourceFile& file);
-    Found add(Source source);
     Found enter(Found found);
     [[nodiscard]] Found refuseAll(std::string sentence);
     SourceFile look(const std::filesystem::path& path);
 
-    std::vector<Root> allowed;  // the given roots, then the entry's folder, in which nothing more is searched
-    std::size_t rootCount;
-    std::vector<VirtualInclude> virtualFiles;
+    std::vector<Root> roots;  // those given, then the entry's folder, in which nothing more is searched
     std::deque<Source> read;
-    std::vector<std::filesystem::path> readPaths;  // of `read`, "" for virtual ones
     std::vector<FileState> seen;
     std::vector<std::size_t> chain;  // from the entry to the file that includes
     std::size_t totalBytes = 0;

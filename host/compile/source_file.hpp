@@ -10,7 +10,7 @@
 namespace raytorus::compile {
 
 /// The largest file, and the most text of one shader with all that it includes. The project's largest shader
-/// has a tenth of it. What large_stack.hpp offers is measured for this much.
+/// has a tenth of it. The stack of a bounded child is measured for this much.
 constexpr std::size_t maxSourceBytes = std::size_t{1} << 20U;
 
 struct SourceFile {

@@ -28,8 +28,7 @@ TEST(CompileInclude, NearestFolderGoesFirst) {
     const std::string use = "#include \"f.glsl\"\n";
     folder.writeShader("entry/e.comp", "#include \"inner/g.glsl\"\nvoid main() { x = f(); }\n");
     folder.write("entry/inner/g.glsl", use);
-    ShaderRequest request{
-        folder.path / "entry/e.comp", {folder.path / "first", folder.path / "second"}, {}, {}};
+    ShaderRequest request{folder.path / "entry/e.comp", {folder.path / "first", folder.path / "second"}, {}};
 
     // From the last place in the order of the search to the first.
     std::vector<std::vector<std::uint32_t>> results;
@@ -45,20 +44,6 @@ TEST(CompileInclude, NearestFolderGoesFirst) {
             std::count_if(files.begin(), files.end(), [](const auto& name) { return name.back() == '?'; }),
             4 - static_cast<std::ptrdiff_t>(results.size()));
     }
-}
-
-TEST(CompileInclude, VirtualOnesGoBeforeAllFolders) {
-    const ShaderFolder folder;
-    folder.writeShader("e.comp", "#include \"v.glsl\"\nvoid main() { x = f(); }\n");
-    folder.write("v.glsl", "#error the file\n");
-    folder.write("f.glsl", constant("1.0"));
-    ShaderRequest request = folder.request("e.comp");
-    request.virtualIncludes = {{"v.glsl", "#include \"f.glsl\""}};
-    const CompiledShader shader = compileShader(request);
-    EXPECT_TRUE(shader.ok()) << errorsOf(shader);
-    EXPECT_EQ(filesOf(shader, folder.path), (std::vector<std::string>{"e.comp", "f.glsl"}));
-    request.virtualIncludes = {{"v.glsl", "\n\nfloat f() { return missing; }"}};
-    EXPECT_EQ(firstError(compileShader(request)), "v.glsl:3: 'missing' : undeclared identifier");
 }
 
 TEST(CompileInclude, MissingOnesSayWhereTheyAreNot) {
@@ -140,7 +125,7 @@ TEST(CompileInclude, NothingIsFoundAfterACycle) {
     const ShaderFolder folder;
     const fs::path entry = folder.write("e.comp", "words");
     folder.write("f.glsl", constant("1.0"));
-    IncludeSearch search(entry, {folder.path}, {});
+    IncludeSearch search(entry, {folder.path});
     EXPECT_NE(search.find("f.glsl", 1).source, nullptr);
     const std::string refusal = search.find("e.comp", 2).refusal;
     EXPECT_EQ(refusal, "include cycle: e.comp includes f.glsl includes e.comp");
@@ -176,7 +161,7 @@ TEST(CompileInclude, OnlyFromTheShaderFolders) {
     folder.write("outside.glsl", constant("1.0"));
     folder.write("root/inside.glsl", constant("2.0"));
     folder.write("rooted.glsl", constant("3.0"));  // its path begins as the root's does
-    ShaderRequest request{folder.path / "root/sub/e.comp", {folder.path / "root"}, {}, {}};
+    ShaderRequest request{folder.path / "root/sub/e.comp", {folder.path / "root"}, {}};
     const auto include = [&](const std::string& name) {
         folder.writeShader("root/sub/e.comp", "#include \"" + name + "\"\nvoid main() { x = f(); }\n");
         return compileShader(request);
@@ -206,7 +191,7 @@ TEST(CompileInclude, LinksMayNotLeadOutside) {
     fs::create_directory_symlink("root", folder.path / "link_to_root");
     const auto include = [&](const std::string& name, const std::string& root) {
         folder.writeShader("root/e.comp", "#include \"" + name + "\"\nvoid main() { x = f(); }\n");
-        return compileShader({folder.path / root / "e.comp", {folder.path / root}, {}, {}});
+        return compileShader({folder.path / root / "e.comp", {folder.path / root}, {}});
     };
     EXPECT_EQ(firstError(include("file.glsl", "root")),
               "e.comp:5: cannot include \"file.glsl\": file.glsl is a link that leaves the shader folders");

@@ -22,7 +22,7 @@ using test::ShaderFolder;
 const std::filesystem::path projectRoot = RAYTORUS_SOURCE_DIR;
 
 ShaderRequest shipped(const std::string& name) {
-    return {projectRoot / "shaders" / name, {projectRoot / "shaders"}, {}, {}};
+    return {projectRoot / "shaders" / name, {projectRoot / "shaders"}, {}};
 }
 
 // As shaders/CompileShader.cmake's INTERSECTOR does.
@@ -31,7 +31,9 @@ ShaderRequest withMethod(const std::string& name, std::string method) {
     ShaderRequest request = shipped(name);
     request.roots.push_back(projectRoot / "host/methods");
     request.defines.push_back({"OTHER_INTERSECTOR", ""});
-    request.virtualIncludes.push_back({"other_intersector.glsl", "#include \"" + method + ".glsl\"\n"});
+    const ShaderFolder own;
+    own.write("other_intersector.glsl", "#include \"" + method + ".glsl\"\n");
+    request.roots.push_back(own.path);
     return request;
 }
 
@@ -163,7 +165,7 @@ TEST(Compile, RelativePathsAreThoseOfTheWorkingFolder) {
     folder.write("inc/a.glsl", "float f() { return 1.0; }\n");
     folder.writeShader("sub/e.comp", "#include \"a.glsl\"\nvoid main() { x = f() }\n");
     const auto here = std::filesystem::relative(folder.path);
-    const CompiledShader shader = compileShader({here / "sub/e.comp", {here / "inc"}, {}, {}});
+    const CompiledShader shader = compileShader({here / "sub/e.comp", {here / "inc"}, {}});
     EXPECT_EQ(shader.errors.front().file, (here / "sub/e.comp").string());
     EXPECT_EQ(filesOf(shader, folder.path),
               (std::vector<std::string>{"inc/a.glsl", "sub/a.glsl?", "sub/e.comp"}));

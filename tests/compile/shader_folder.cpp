@@ -27,7 +27,7 @@ std::filesystem::path ShaderFolder::writeShader(const std::string& name, const s
 }
 
 compile::ShaderRequest ShaderFolder::request(const std::string& entry) const {
-    return {path / entry, {path}, {}, {}};
+    return {path / entry, {path}, {}};
 }
 
 std::string errorsOf(const compile::CompiledShader& shader) {
