@@ -24,7 +24,7 @@ void imageBarrier(VkCommandBuffer commands, VkImage image, Use before, VkImageLa
     vkCmdPipelineBarrier2(commands, &dependency);
 }
 
-void imageBarrier(VkCommandBuffer commands, const Image& image, Use before, VkImageLayout oldLayout,
+void imageBarrier(VkCommandBuffer commands, const DeviceImage& image, Use before, VkImageLayout oldLayout,
                   Use after, VkImageLayout newLayout) {
     imageBarrier(commands, image.get(), before, oldLayout, after, newLayout);
 }
@@ -45,9 +45,9 @@ void bufferBarrier(VkCommandBuffer commands, const Buffer& buffer, Use before, U
     vkCmdPipelineBarrier2(commands, &dependency);
 }
 
-void drawScreen(VkCommandBuffer commands, std::span<const Image> attachments, VkRect2D area) {
+void drawScreen(VkCommandBuffer commands, std::span<const DeviceImage> attachments, VkRect2D area) {
     std::vector<VkRenderingAttachmentInfo> infos;
-    for (const Image& image : attachments) {
+    for (const DeviceImage& image : attachments) {
         VkRenderingAttachmentInfo info{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
         info.imageView = image.view();
         info.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
@@ -86,11 +86,11 @@ void copyOut(VkCommandBuffer commands, VkImage image, VkExtent2D extent, const B
     vkCmdCopyImageToBuffer(commands, image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.get(), 1, &region);
 }
 
-void copyOut(VkCommandBuffer commands, const Image& image, VkExtent2D extent, const Buffer& buffer) {
+void copyOut(VkCommandBuffer commands, const DeviceImage& image, VkExtent2D extent, const Buffer& buffer) {
     copyOut(commands, image.get(), extent, buffer);
 }
 
-void copyIn(VkCommandBuffer commands, const Buffer& buffer, const Image& image, VkExtent2D extent) {
+void copyIn(VkCommandBuffer commands, const Buffer& buffer, const DeviceImage& image, VkExtent2D extent) {
     const VkBufferImageCopy region = upperLeft(extent);
     vkCmdCopyBufferToImage(commands, buffer.get(), image.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
                            &region);

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "gpu/buffer.hpp"
-#include "gpu/image.hpp"
+#include "gpu/device_image.hpp"
 
 namespace raytorus::gpu {
 
@@ -31,22 +31,22 @@ constexpr Use hostRead{VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT};
 /// dropped.
 void imageBarrier(VkCommandBuffer commands, VkImage image, Use before, VkImageLayout oldLayout, Use after,
                   VkImageLayout newLayout);
-void imageBarrier(VkCommandBuffer commands, const Image& image, Use before, VkImageLayout oldLayout,
+void imageBarrier(VkCommandBuffer commands, const DeviceImage& image, Use before, VkImageLayout oldLayout,
                   Use after, VkImageLayout newLayout);
 
 void bufferBarrier(VkCommandBuffer commands, const Buffer& buffer, Use before, Use after);
 
 /// Draws the full-screen triangle of the pipeline in use over `area` of the attachments, which are all of one
 /// extent and in VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL. What lies outside `area` is kept.
-void drawScreen(VkCommandBuffer commands, std::span<const Image> attachments, VkRect2D area);
+void drawScreen(VkCommandBuffer commands, std::span<const DeviceImage> attachments, VkRect2D area);
 
 /// Copies the upper left `extent` of an image, which is in VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to a buffer:
 /// rows from the top, no gaps.
 void copyOut(VkCommandBuffer commands, VkImage image, VkExtent2D extent, const Buffer& buffer);
-void copyOut(VkCommandBuffer commands, const Image& image, VkExtent2D extent, const Buffer& buffer);
+void copyOut(VkCommandBuffer commands, const DeviceImage& image, VkExtent2D extent, const Buffer& buffer);
 
 /// Copies such rows from a buffer to the upper left of an image, which is in
 /// VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL.
-void copyIn(VkCommandBuffer commands, const Buffer& buffer, const Image& image, VkExtent2D extent);
+void copyIn(VkCommandBuffer commands, const Buffer& buffer, const DeviceImage& image, VkExtent2D extent);
 
 }  // namespace raytorus::gpu

@@ -96,7 +96,7 @@ void Pipeline::bind(std::uint32_t index, const Buffer& buffer, std::size_t copy)
     write(index, copy, &info, nullptr);
 }
 
-void Pipeline::bind(std::uint32_t index, const Image& image, std::size_t copy) {
+void Pipeline::bind(std::uint32_t index, const DeviceImage& image, std::size_t copy) {
     const VkDescriptorImageInfo info{VK_NULL_HANDLE, image.view(), VK_IMAGE_LAYOUT_GENERAL};
     write(index, copy, nullptr, &info);
 }
@@ -159,7 +159,7 @@ Pipeline makeScreenPipeline(const Context& context, const ShaderModule& vertex, 
     VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
     dynamic.dynamicStateCount = static_cast<std::uint32_t>(dynamicStates.size());
     dynamic.pDynamicStates = dynamicStates.data();
-    const std::vector<VkFormat> formats(attachments, Image::format);
+    const std::vector<VkFormat> formats(attachments, DeviceImage::format);
     VkPipelineRenderingCreateInfo rendering{VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
     rendering.colorAttachmentCount = attachments;
     rendering.pColorAttachmentFormats = formats.data();

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "gpu/buffer.hpp"
-#include "gpu/image.hpp"
+#include "gpu/device_image.hpp"
 #include "gpu/shader_module.hpp"
 
 namespace raytorus::gpu {
@@ -38,7 +38,7 @@ public:
 
     /// A copy of set 0, once for the pipeline's life or between submissions that use that copy.
     void bind(std::uint32_t index, const Buffer& buffer, std::size_t copy = 0);
-    void bind(std::uint32_t index, const Image& image, std::size_t copy = 0);
+    void bind(std::uint32_t index, const DeviceImage& image, std::size_t copy = 0);
 
     /// Binds pipeline and a copy of set 0, and sets the push constants if there are any.
     void use(VkCommandBuffer commands, std::span<const std::byte> pushConstants = {},
@@ -69,8 +69,8 @@ private:
 Pipeline makeComputePipeline(const Context& context, const ShaderModule& shader,
                              const PipelineLayoutInfo& info);
 
-/// A full-screen triangle into `attachments` colour images of gpu::Image::format. Viewport and scissor are
-/// dynamic.
+/// A full-screen triangle into `attachments` colour images of gpu::DeviceImage::format. Viewport and scissor
+/// are dynamic.
 Pipeline makeScreenPipeline(const Context& context, const ShaderModule& vertex, const ShaderModule& fragment,
                             std::uint32_t attachments, const PipelineLayoutInfo& info);
 

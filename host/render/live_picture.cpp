@@ -14,7 +14,7 @@ constexpr double bandsInTime = 3.0;
 void makeReadable(gpu::Context& context, const PictureTargets& targets, gpu::Use before,
                   VkImageLayout layout) {
     context.submit([&](VkCommandBuffer commands) {
-        for (const gpu::Image& image : targets.images()) {
+        for (const gpu::DeviceImage& image : targets.images()) {
             gpu::imageBarrier(commands, image, before, layout, gpu::shaderRead, VK_IMAGE_LAYOUT_GENERAL);
         }
     });
@@ -105,7 +105,7 @@ bool LivePicture::draw(double seconds) {
     return true;
 }
 
-const gpu::Image& LivePicture::image(std::size_t index) const {
+const gpu::DeviceImage& LivePicture::image(std::size_t index) const {
     return index == 0 && colorAlone ? images->color.images().front() : images->all.images()[index];
 }
 

@@ -51,7 +51,7 @@ public:
 
     /// The pictures as in PictureTargets, in VK_IMAGE_LAYOUT_GENERAL while nothing is being drawn. The colour
     /// is the one drawn last, with or without the others.
-    [[nodiscard]] const gpu::Image& image(std::size_t index) const;
+    [[nodiscard]] const gpu::DeviceImage& image(std::size_t index) const;
 
     /// The upper left of the images, with all channels; while nothing is being drawn.
     [[nodiscard]] image::Image readBack(VkExtent2D extent);

@@ -29,7 +29,7 @@ gpu::ShaderModule shader(const gpu::Context& context, const DrawingOptions& opti
 // Some rows of a picture, the images that it is drawn into, and its pipeline.
 struct Rows {
     gpu::Pipeline& pipeline;
-    std::span<const gpu::Image> images;
+    std::span<const gpu::DeviceImage> images;
     std::uint32_t first;
     std::uint32_t end;
     std::uint32_t width;
@@ -44,7 +44,7 @@ gpu::Pipeline makeFragmentPipeline(const gpu::Context& context, const DrawingOpt
 }
 
 // It writes to attachments, which belong to no binding.
-void bindNoImages(gpu::Pipeline& /*pipeline*/, std::span<const gpu::Image> /*images*/) {}
+void bindNoImages(gpu::Pipeline& /*pipeline*/, std::span<const gpu::DeviceImage> /*images*/) {}
 
 void drawFragments(VkCommandBuffer commands, const Rows& rows) {
     rows.pipeline.use(commands);
@@ -63,7 +63,7 @@ gpu::Pipeline makeComputePipeline(const gpu::Context& context, const DrawingOpti
     return gpu::makeComputePipeline(context, shader(context, options, "scene.comp"), info);
 }
 
-void bindStorageImages(gpu::Pipeline& pipeline, std::span<const gpu::Image> images) {
+void bindStorageImages(gpu::Pipeline& pipeline, std::span<const gpu::DeviceImage> images) {
     for (std::uint32_t i = 0; i < computeImages; ++i) {
         // Without the geometric pictures the shader never stores to their bindings, but each must be valid.
         pipeline.bind(SCENE_BINDING_COLOR + i, images[std::min<std::size_t>(i, images.size() - 1)]);
@@ -82,7 +82,7 @@ void dispatch(VkCommandBuffer commands, const Rows& rows) {
 struct RouteWork {
     gpu::Pipeline (*makePipeline)(const gpu::Context&, const DrawingOptions&, gpu::PipelineLayoutInfo,
                                   std::size_t images);
-    void (*bindImages)(gpu::Pipeline&, std::span<const gpu::Image>);
+    void (*bindImages)(gpu::Pipeline&, std::span<const gpu::DeviceImage>);
     void (*draw)(VkCommandBuffer, const Rows&);
 };
 constexpr std::array<RouteWork, routes.size()> work = {{
@@ -127,7 +127,7 @@ PictureDrawing::PictureDrawing(gpu::Context& gpuContext, PipelineStore& pipeline
       route(options.route),
       timestamps(gpuContext),
       rows(firstBandRows(extent)) {
-    const std::span<const gpu::Image> images = targets->images();
+    const std::span<const gpu::DeviceImage> images = targets->images();
     const gpu::PipelineLayoutInfo info = layoutInfo(scene, options, images.size());
     pipeline = &pipelines.find(route, info.specialization, [&] {
         return workOf(route).makePipeline(*context, options, info, images.size());

@@ -70,7 +70,7 @@ std::size_t PictureTargets::imageCount(bool aovs) {
 }
 
 void PictureTargets::begin(VkCommandBuffer commands, gpu::Use use, VkImageLayout layout) const {
-    for (const gpu::Image& target : targets) {
+    for (const gpu::DeviceImage& target : targets) {
         gpu::imageBarrier(commands, target, {}, VK_IMAGE_LAYOUT_UNDEFINED, use, layout);
     }
 }
@@ -82,7 +82,7 @@ image::Image PictureTargets::readBack(gpu::Context& context, VkExtent2D extent, 
                          channelNames(targets.size() > 1));
     // One image at a time through one buffer: a picture with everything needs memory for itself and little
     // more.
-    const gpu::Buffer buffer(context, pixels * gpu::Image::bytesPerPixel, gpu::BufferUse::ReadBack);
+    const gpu::Buffer buffer(context, pixels * gpu::DeviceImage::bytesPerPixel, gpu::BufferUse::ReadBack);
     for (std::size_t i = 0; i < targets.size(); ++i) {
         context.submit([&](VkCommandBuffer commands) {
             gpu::imageBarrier(commands, targets[i], use, layout, gpu::copyRead,

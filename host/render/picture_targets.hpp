@@ -16,7 +16,7 @@ public:
 
     [[nodiscard]] static std::size_t imageCount(bool aovs);
 
-    [[nodiscard]] std::span<const gpu::Image> images() const { return targets; }
+    [[nodiscard]] std::span<const gpu::DeviceImage> images() const { return targets; }
 
     /// Makes them ready to be drawn to or stored into, their contents undefined.
     void begin(VkCommandBuffer commands, gpu::Use use, VkImageLayout layout) const;
@@ -28,7 +28,7 @@ public:
                                         VkImageLayout layout) const;
 
 private:
-    std::vector<gpu::Image> targets;
+    std::vector<gpu::DeviceImage> targets;
 };
 
 }  // namespace raytorus::render

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "gpu/context.hpp"
-#include "gpu/image.hpp"
+#include "gpu/device_image.hpp"
 #include "image/image.hpp"
 #include "viewer/gui.hpp"
 #include "viewer/swapchain.hpp"
@@ -24,8 +24,9 @@ inline constexpr int settlingFrames = 3;
 VkRect2D placeOf(VkExtent2D picture, VkExtent2D window);
 
 struct FramePicture {
-    const gpu::Image* image = nullptr;  ///< in VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL; null: the frame is dark
-    VkExtent2D extent{};                ///< its upper left part that is seen
+    /// In VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL; null: the frame is dark.
+    const gpu::DeviceImage* image = nullptr;
+    VkExtent2D extent{};  ///< its upper left part that is seen
     /// Fills the window, smoothly: a picture made small for speed. Else each pixel is a square, see placeOf.
     bool fills = false;
 };

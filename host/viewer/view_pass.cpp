@@ -33,8 +33,8 @@ void ViewPass::need(VkExtent2D extent) {
         return;
     }
     const VkExtent2D size{std::max(had.width, extent.width), std::max(had.height, extent.height)};
-    output = gpu::Image(*context, size);
-    analysis = gpu::Image(*context, size);
+    output = gpu::DeviceImage(*context, size);
+    analysis = gpu::DeviceImage(*context, size);
     const VkClearColorValue pending{};
     context->submit([&](VkCommandBuffer commands) {
         gpu::imageBarrier(commands, analysis, {}, VK_IMAGE_LAYOUT_UNDEFINED, gpu::clearWrite,
@@ -84,7 +84,7 @@ void ViewPass::draw(const render::LivePicture& left, const render::LivePicture* 
 
 image::Image ViewPass::readBack() {
     const std::size_t pixels = std::size_t{shownExtent.width} * shownExtent.height;
-    const gpu::Buffer buffer(*context, pixels * gpu::Image::bytesPerPixel, gpu::BufferUse::ReadBack);
+    const gpu::Buffer buffer(*context, pixels * gpu::DeviceImage::bytesPerPixel, gpu::BufferUse::ReadBack);
     context->submit([&](VkCommandBuffer commands) {
         gpu::copyOut(commands, output, shownExtent, buffer);
         gpu::bufferBarrier(commands, buffer, gpu::copyWrite, gpu::hostRead);

@@ -2,7 +2,7 @@
 // From pictures to what the window shows of them: view.comp and the images around it.
 #pragma once
 
-#include "gpu/image.hpp"
+#include "gpu/device_image.hpp"
 #include "gpu/pipeline.hpp"
 #include "render/live_picture.hpp"
 #include "viewer/analysis.hpp"
@@ -23,7 +23,7 @@ public:
 
     /// In VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL; its upper left extent() is what is to be seen, as displayed
     /// unless push.linear was 1.
-    [[nodiscard]] const gpu::Image& shown() const { return output; }
+    [[nodiscard]] const gpu::DeviceImage& shown() const { return output; }
     [[nodiscard]] VkExtent2D extent() const { return shownExtent; }
 
     /// The same on the host: R, G, B as displayed, in [0, 1].
@@ -34,8 +34,8 @@ private:
 
     gpu::Context* context;
     gpu::Pipeline pipeline;
-    gpu::Image output;
-    gpu::Image analysis;
+    gpu::DeviceImage output;
+    gpu::DeviceImage analysis;
     VkExtent2D shownExtent{};
     bool shownLinear = false;
 };

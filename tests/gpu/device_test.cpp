@@ -99,12 +99,18 @@ TEST_F(Device, TooLargeBuffersAndImagesAreOutOfMemory) {
               ExitCode::OutOfMemory);
     EXPECT_EQ(codeOf([&] { gpu::Buffer(test::device(), huge, gpu::BufferUse::Storage); }, "allows"),
               ExitCode::OutOfMemory);
-    EXPECT_EQ(codeOf([] { gpu::Image(test::device(), {1U << 20U, 1}); }, "1048576x1"), ExitCode::OutOfMemory);
+    EXPECT_EQ(codeOf(
+                  [] {
+                      gpu::DeviceImage(test::device(), {1U << 20U, 1});
+                  },
+                  "1048576x1"),
+              ExitCode::OutOfMemory);
 }
 
 TEST_F(Device, ImagesComeBackAsTheyWereCleared) {
-    const gpu::Image image(test::device(), {5, 3});
-    const gpu::Buffer buffer(test::device(), 5 * 3 * gpu::Image::bytesPerPixel, gpu::BufferUse::ReadBack);
+    const gpu::DeviceImage image(test::device(), {5, 3});
+    const gpu::Buffer buffer(test::device(), 5 * 3 * gpu::DeviceImage::bytesPerPixel,
+                             gpu::BufferUse::ReadBack);
     const gpu::Timestamps timestamps(test::device());
     test::device().submit([&](VkCommandBuffer commands) {
         constexpr gpu::Use clear{VK_PIPELINE_STAGE_2_CLEAR_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
@@ -140,7 +146,7 @@ TEST(Validation, MessagesReachTheLogAndTheResult) {
         ASSERT_TRUE(log->messages().empty()) << log->messages().front();
         const gpu::Buffer small(context, 16, gpu::BufferUse::ReadBack);
         // The copy does not fit; the layer says so while the command is recorded, and it is never run.
-        const gpu::Image image(context, {64, 64});
+        const gpu::DeviceImage image(context, {64, 64});
         const VkCommandPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO, nullptr, 0,
                                                context.info().queueFamily};
         const auto pool = gpu::create<vkDestroyCommandPool>(vkCreateCommandPool, context.scope(), poolInfo,
@@ -163,8 +169,8 @@ TEST(Validation, SynchronizationIsChecked) {
     gpu::ContextOptions options;
     options.validate = true;
     gpu::Context context(options, log);
-    const gpu::Image image(context, {8, 8});
-    const gpu::Buffer buffer(context, 64 * gpu::Image::bytesPerPixel, gpu::BufferUse::ReadBack);
+    const gpu::DeviceImage image(context, {8, 8});
+    const gpu::Buffer buffer(context, 64 * gpu::DeviceImage::bytesPerPixel, gpu::BufferUse::ReadBack);
     context.submit([&](VkCommandBuffer commands) {
         gpu::imageBarrier(commands, image, {}, VK_IMAGE_LAYOUT_UNDEFINED, gpu::copyRead,
                           VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);

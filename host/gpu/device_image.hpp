@@ -8,15 +8,15 @@
 
 namespace raytorus::gpu {
 
-class Image {
+class DeviceImage {
 public:
     static constexpr VkFormat format = VK_FORMAT_R32G32B32A32_SFLOAT;
     static constexpr VkDeviceSize bytesPerPixel = 16;
 
-    Image() = default;
+    DeviceImage() = default;
     /// Usable as colour attachment, as storage image, and for copies and clears. Its contents start
     /// undefined.
-    Image(const Context& context, VkExtent2D extent);
+    DeviceImage(const Context& context, VkExtent2D extent);
 
     [[nodiscard]] VkImage get() const { return image.get(); }
     [[nodiscard]] VkImageView view() const { return imageView.get(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "gpu/image.hpp"
+#include "gpu/device_image.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 namespace raytorus::gpu {
 
-Image::Image(const Context& context, VkExtent2D extent) : imageExtent(extent) {
+DeviceImage::DeviceImage(const Context& context, VkExtent2D extent) : imageExtent(extent) {
     const std::uint32_t limit = context.info().limits.maxImageDimension2D;
     if (extent.width > limit || extent.height > limit) {
         throw Error(ExitCode::OutOfMemory,
