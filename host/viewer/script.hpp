@@ -13,7 +13,7 @@ namespace raytorus::viewer {
 
 /// What the command line asks for before the window closes by itself.
 struct Script {
-    int frames = 0;                        ///< to be shown, at least
+    int frames = 0;                                ///< to be shown, at least
     std::vector<options::SequenceFrame> sequence;  ///< pictures to be written, one after the other
     std::string screenshot;
     std::string windowScreenshot;
