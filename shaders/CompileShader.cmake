@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: MIT
 #
-# raytorus_compile_shaders(<target> NAMESPACE <namespace> SOURCES <file>... [INTERSECTOR <file>]
+# raytorus_compile_shaders(<target> NAMESPACE <namespace> SOURCES <file>... [METHOD <file>]
 #                          [DEFINES <name>...])
 #
 # Compiles GLSL entry points to SPIR-V and embeds them: <target> is a static library whose header, <target>.hpp,
 # declares <namespace>::find(name), with the file's name as it stands in SOURCES, without its folder. The modules lie
-# beside it in the build folder as <file>.spv. INTERSECTOR lets another file than the library answer their rays, if
-# they include intersector.glsl. A change to an included file rebuilds exactly the shaders that include it.
+# beside it in the build folder as <file>.spv. METHOD lets another file than the library answer their rays, if
+# they include method.glsl. A change to an included file rebuilds exactly the shaders that include it.
 include_guard()
 
 function(raytorus_compile_shaders target)
-    cmake_parse_arguments(ARG "" "NAMESPACE;INTERSECTOR" "SOURCES;DEFINES" ${ARGN})
+    cmake_parse_arguments(ARG "" "NAMESPACE;METHOD" "SOURCES;DEFINES" ${ARGN})
     find_package(Vulkan REQUIRED COMPONENTS glslangValidator)  # imported targets belong to the calling folder
     set(embed "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/EmbedSpirv.cmake")
     set(folder "${CMAKE_CURRENT_BINARY_DIR}/${target}")
@@ -19,12 +19,12 @@ function(raytorus_compile_shaders target)
     foreach(name IN LISTS ARG_DEFINES)
         list(APPEND options "-D${name}")
     endforeach()
-    if(ARG_INTERSECTOR)
-        cmake_path(ABSOLUTE_PATH ARG_INTERSECTOR OUTPUT_VARIABLE path)
+    if(ARG_METHOD)
+        cmake_path(ABSOLUTE_PATH ARG_METHOD OUTPUT_VARIABLE path)
         cmake_path(GET path PARENT_PATH include)
         cmake_path(GET path FILENAME name)
-        file(CONFIGURE OUTPUT "${folder}/other_intersector.glsl" CONTENT "#include \"${name}\"\n")
-        list(APPEND options "-I${folder}" "-I${include}" -DOTHER_INTERSECTOR)
+        file(CONFIGURE OUTPUT "${folder}/other_method.glsl" CONTENT "#include \"${name}\"\n")
+        list(APPEND options "-I${folder}" "-I${include}" -DOTHER_METHOD)
     endif()
     set(modules "")
     foreach(source IN LISTS ARG_SOURCES)

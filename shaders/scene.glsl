@@ -3,7 +3,7 @@
 #ifndef SCENE_GLSL
 #define SCENE_GLSL
 
-#include "intersector.glsl"
+#include "method.glsl"
 #include "scene_io.h"
 
 layout(constant_id = SCENE_CONSTANT_TORI) const int sceneTori = 1;

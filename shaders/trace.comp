@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: MIT
 // Rays in, hits out: one torus, one query, a ray an invocation.
 
-#include "intersector.glsl"
+#include "method.glsl"
 #include "trace_io.h"
 
 layout(local_size_x = TRACE_GROUP_SIZE) in;

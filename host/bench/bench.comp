@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: MIT
 // 64 rays an invocation, made here, through one method: see bench_io.h.
 
-#include "intersector.glsl"
+#include "method.glsl"
 #include "bench_rays.glsl"
 #include "bench_answers.glsl"
 

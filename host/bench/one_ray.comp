@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: MIT
 // One ray in, one answer out, and nothing else: what --isa has compiled, to count the machine code of a method.
 
-#include "intersector.glsl"
+#include "method.glsl"
 #include "trace_io.h"
 
 layout(local_size_x = TRACE_GROUP_SIZE) in;

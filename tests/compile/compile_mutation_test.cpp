@@ -69,8 +69,8 @@ TEST_F(CompileDamaged, BytesChangedAnywhere) {
     const std::string bytes = std::string("(){}[];,.#/*\\\"'<>=!&|+-~?:@ \n\r\t01fxe\x7f\xc3\xff", 40);
     int refused = 0;
     for (int i = 0; i < 300; ++i) {
-        const std::string name = std::vector{"trace.comp", "torus/torus.glsl", "torus/refine.glsl",
-                                             "intersector.glsl"}[random() % 4];
+        const std::string name =
+            std::vector{"trace.comp", "torus/torus.glsl", "torus/refine.glsl", "method.glsl"}[random() % 4];
         const std::string whole = test::fileText(shaderFolder / name);
         std::string damaged = whole;
         for (auto count = 1 + random() % 4; count-- > 0;) {

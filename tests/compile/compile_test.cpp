@@ -25,14 +25,14 @@ ShaderRequest shipped(const std::string& name) {
     return {projectRoot / "shaders" / name, {projectRoot / "shaders"}, {}};
 }
 
-// As shaders/CompileShader.cmake's INTERSECTOR does.
+// As shaders/CompileShader.cmake's METHOD does.
 ShaderRequest withMethod(const std::string& name, std::string method) {
     std::replace(method.begin(), method.end(), '-', '_');
     ShaderRequest request = shipped(name);
     request.roots.push_back(projectRoot / "host/methods");
-    request.defines.push_back({"OTHER_INTERSECTOR", ""});
+    request.defines.push_back({"OTHER_METHOD", ""});
     const ShaderFolder own;
-    own.write("other_intersector.glsl", "#include \"" + method + ".glsl\"\n");
+    own.write("other_method.glsl", "#include \"" + method + ".glsl\"\n");
     request.roots.push_back(own.path);
     return request;
 }
@@ -72,7 +72,7 @@ TEST(Compile, FilesAreThoseThatWereReadAndThoseThatWouldGoBefore) {
     const CompiledShader trace = compileShader(shipped("trace.comp"));
     EXPECT_EQ(trace.files.front().path, folder / "trace.comp");
     const std::vector<std::string> read = filesOf(trace, folder);
-    for (const char* name : {"intersector.glsl", "torus/torus.glsl", "torus/refine.glsl", "trace_io.h"}) {
+    for (const char* name : {"method.glsl", "torus/torus.glsl", "torus/refine.glsl", "trace_io.h"}) {
         EXPECT_TRUE(std::binary_search(read.begin(), read.end(), name)) << name;
     }
     for (const FileState& file : trace.files) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An intersector that is wrong on purpose, differently for each ray: what raytorus-verify has to notice.
+// A method that is wrong on purpose, differently for each ray: what raytorus-verify has to notice.
 
 #define RAY_INTERSECT defectiveIntersect
 #define RAY_OCCLUDED defectiveOccluded

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Who answers the rays of trace.comp and of the scenes: the library, or what CompileShader.cmake's INTERSECTOR names, a
+// Who answers the rays of trace.comp and of the scenes: the library, or what CompileShader.cmake's METHOD names, a
 // file that defines functions with the signatures of torusIntersect, torusOccluded and torusIntersectAll, and these
 // macros with their names.
-#ifndef INTERSECTOR_GLSL
-#define INTERSECTOR_GLSL
+#ifndef METHOD_GLSL
+#define METHOD_GLSL
 
 // For looking at the cost of rays: RAY_STEPS is the number of steps of all loops since RAY_STEPS_BEGIN.
 #ifdef COUNT_STEPS
@@ -18,8 +18,8 @@ int rayStepCount = 0;
 
 #include "torus/torus.glsl"
 
-#ifdef OTHER_INTERSECTOR
-#include "other_intersector.glsl"
+#ifdef OTHER_METHOD
+#include "other_method.glsl"
 #else
 #define RAY_INTERSECT torusIntersect
 #define RAY_OCCLUDED torusOccluded

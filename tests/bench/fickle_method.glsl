@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An intersector that answers otherwise when it is asked again: what the benchmark's checksums have to notice. Its
+// A method that answers otherwise when it is asked again: what the benchmark's checksums have to notice. Its
 // answers depend on the layer in bench.comp, and in trace.comp on which copy of 4096 rays it has, 64 a workgroup.
 
 #define RAY_INTERSECT fickleIntersect
