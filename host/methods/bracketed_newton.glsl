@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Method: bracketed Newton between the critical points of the reduced quartic, exact last step.
+// Tolerance: 4e-7 (R + r).
+//
 // Bracketed Newton between critical points (Yuksel, High-Performance Polynomial Root Finding for Graphics, Proceedings
 // of the ACM on Computer Graphics 5, 2022), on the reduced quartic f(u) = u^4 + p u^2 + q u + s:
 //
@@ -7,14 +10,14 @@
 //     bracket narrowed at each step and halved where a step leaves it, finds the critical point;
 //   - between the critical points f is monotone, and the same iteration finds its root where the signs differ.
 //
-// Only what the question needs: the maximum is minus the sum of the minima (f' has no quadratic term), the first
+// Only what the query needs: the maximum is minus the sum of the minima (f' has no quadratic term), the first
 // crossing needs one root, and any-hit none: the signs at the critical points tell.
 // What it loses: verdicts within the rounding of f, which is that of (R + r)^4, not of r: nearly all near tangents, and in
 // the thinnest tubes some on clear rays.
 #ifndef BRACKETED_NEWTON_GLSL
 #define BRACKETED_NEWTON_GLSL
 
-#include "reduced_quartic.glsl"
+#include "parts/reduced_quartic.glsl"
 
 struct BracketedNewton {
     ReducedQuartic f;
@@ -102,7 +105,7 @@ bool bracketedNewtonRoot(torus_Line line, BracketedNewton state, int index, out 
 #define QUARTIC_PREPARE bracketedNewtonPrepare
 #define QUARTIC_ROOT bracketedNewtonRoot
 #define QUARTIC_DIPS
-#include "quartic_hits.glsl"
+#include "parts/quartic_hits.glsl"
 
 #define RAY_INTERSECT bracketedNewtonIntersect
 #define RAY_OCCLUDED bracketedNewtonOccluded

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Method: the reduced quartic by its formula, as it stands in the library's derivation.
+// Tolerance: 2e-3 (R + r).
+//
 // The closed form as docs/math.md derives it and shaders/torus/closed_form.glsl spells it, and nothing done to mend it:
 // its roots are the hits, but for those on the inner sheet of a spindle. Without hits for R = 0 and r > 100 R, which
 // closed_form.glsl refuses.

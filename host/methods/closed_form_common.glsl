@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Method: what everybody pastes: the quartic in world space by its formula, tuned.
+// Tolerance: 2e-3 (R + r).
+//
 // What everybody pastes, fairly tuned: the quartic of the ray in world space in plain float32, no arrays where one hit is
 // wanted, one cube root, the bounding sphere first. closed_form_naive.glsl is the same mathematics as it is written
 // without thought of speed.

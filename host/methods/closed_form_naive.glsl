@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Method: the quartic in world space by its formula, as it is usually written.
+// Tolerance: 2e-3 (R + r).
+//
 // What most shaders do: the quartic of the ray as it stands in world space, solved by formula in plain float32, with the
 // driver's acos, cos and pow. Kept as it is usually written, because it is the measure of speed and the reason
 // why exactness is worth something: from 100 R away the coefficients, which hold the fourth power of the distance, have

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Ways to intersect a torus, compiled into trace.comp and the scene's shaders: the library's own, and others
-// to judge, to look at and to time beside it. Each other one is a .glsl file in this folder, which says where
-// its mathematics is published.
+// to judge, to look at and to time beside it. Each other one is a .glsl file in this folder, of which the
+// head is its row here (MethodFiles.cmake); what several of them share is in parts/.
 //
 //     trace::Tracer tracer(context, query, capacity, method.shaders);
 #pragma once
@@ -27,7 +27,7 @@ struct Method {
     std::optional<reference::Tier> tier = std::nullopt;
 };
 
-/// The library's own method, "raytorus", is the first.
+/// The library is the first, "raytorus", and its fast tier the second; the others follow by name.
 std::span<const Method> methods();
 
 /// The method with this name, or null.

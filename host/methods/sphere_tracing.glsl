@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Method: marching along the distance to the surface, to 1e-4 r.
+// Tolerance: 1e-3 (R + r).
+//
 // Sphere tracing (Hart, The Visual Computer 12, 1996, pp. 527-545): from where the ray meets the bounding sphere, step by
 // the distance to the surface, which nothing can be nearer than, until it is less than 1e-4 r. Marching starts anew at
 // the sphere, so a far origin costs one rounding of the start and no more; from inside the solid the absolute

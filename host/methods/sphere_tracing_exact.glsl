@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Method: marching to 1e-4 r on the library's reduced line, exact last step.
+// Tolerance: 4e-7 (R + r).
+//
 // Sphere tracing at the library's accuracy, for a comparison of equals: the ray reduced as the library reduces it, marched
 // to 1e-4 r as sphere_tracing.glsl does (Hart, The Visual Computer 12, 1996, pp. 527-545), and the hit then taken by the
 // library's exact last step. Marching on to the last bit instead costs more and ends in the rounding of the distance.
@@ -7,7 +10,7 @@
 #ifndef SPHERE_TRACING_EXACT_GLSL
 #define SPHERE_TRACING_EXACT_GLSL
 
-#include "exact_hit.glsl"
+#include "parts/exact_hit.glsl"
 
 #define MARCH_STEPS 128
 #define MARCH_NEAR 1.0e-4

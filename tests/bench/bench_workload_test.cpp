@@ -10,6 +10,8 @@
 #include "bench/view.hpp"
 #include "bench/workload.hpp"
 #include "support/expect_error.hpp"
+#include "support/patterns.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace raytorus::bench {
 namespace {
@@ -58,6 +60,20 @@ TEST(BenchMethods, AlwaysHaveTheEmptyOneAndTheLibrary) {
     EXPECT_EQ(chooseMethods({}).size(), timedMethods().size());
     test::expectError([] { chooseMethods(std::vector<std::string>{"magic"}); }, ExitCode::Usage,
                       {"--method", "\"magic\"", "bracketed-newton", "float64-quartic"});
+}
+
+TEST(BenchMethods, HaveARowEachInTheDocumentation) {
+    const std::string page = test::fileText(RAYTORUS_SOURCE_DIR "/docs/benchmark.md");
+    const std::string section = page.substr(page.find("\n## The methods\n"));
+    std::set<std::string> documented{emptyName, ourName};
+    for (const test::PatternMatch& row : test::matchesIn(section, R"(\n\| ([a-z0-9-]+) \|)")) {
+        EXPECT_TRUE(documented.insert(row[1]).second) << row[1] << " is there twice";
+    }
+    std::set<std::string> timed;
+    for (const TimedMethod& method : timedMethods()) {
+        EXPECT_TRUE(timed.insert(method.name).second) << method.name << " is there twice";
+    }
+    EXPECT_EQ(documented, timed);
 }
 
 // A part of hits that falls from 1 to 0 as the opening grows, as that of a ball in a window does.

@@ -17,6 +17,7 @@
 #include "render/renderer.hpp"
 #include "scene/scene_json.hpp"
 #include "support/device_fixture.hpp"
+#include "support/scratch_folder.hpp"
 #include "support/special_floats.hpp"
 
 namespace raytorus {
@@ -207,6 +208,16 @@ TEST(Methods, TheFirstIsTheLibrary) {
     ASSERT_FALSE(methods().empty());
     EXPECT_STREQ(methods().front().name, "raytorus");
     EXPECT_EQ(findMethod("no such method"), nullptr);
+}
+
+TEST(Methods, AreThoseOfTheDocumentation) {
+    std::string quoted;
+    for (const Method& method : methods().subspan(2)) {
+        quoted += fmt::format("{}`{}`", quoted.empty() ? "[" : " ", method.name);
+    }
+    const std::string page = test::fileText(RAYTORUS_SOURCE_DIR "/docs/cli.md");
+    EXPECT_NE(page.find("| `--method NAME` | who intersects"), std::string::npos);
+    EXPECT_NE(page.find(quoted + "]"), std::string::npos) << quoted;
 }
 
 using Production = test::DeviceTest;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// host/methods/third_cosine.glsl as C++: `precise` gone (compiled without contraction into fma),
-// literals float
-// (-fsingle-precision-constant).
+// host/methods/parts/third_cosine.glsl as C++: `precise` gone (compiled without contraction into fma),
+// literals float (-fsingle-precision-constant).
 #define TORUS_PRECISE
-#include "methods/third_cosine.glsl"
+#include "methods/parts/third_cosine.glsl"
 
 namespace raytorus::test {
 

@@ -228,7 +228,7 @@ TEST_F(ProgramVerify, OtherMethodsHavePromisedNothing) {
     expectUsageError(
         {"--method", "magic"},
         "--method: there is no method \"magic\" (there are raytorus raytorus-fast bracketed-newton "
-        "closed-form-polished closed-form closed-form-naive closed-form-common "
+        "closed-form closed-form-common closed-form-naive closed-form-polished "
         "sphere-tracing sphere-tracing-exact)");
 }
 

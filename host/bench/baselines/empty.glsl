@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// No intersection at all: what making a ray and using an answer costs. The benchmark takes it from all others' times.
+// Baseline: no intersection; what making rays and using answers costs, which is taken from all other times.
+//
 // The answer depends on every number of the ray, so that no compiler leaves its making out.
 #ifndef EMPTY_GLSL
 #define EMPTY_GLSL

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The floor of exactness: the library without all that finds a crossing. What its reduction costs, its culling, and one
-// last step of a clear crossing from the end of the line that is left of the ray; any-hit needs no last step. Its answers
-// are wrong, and no method that begins and ends as exactly can be faster.
+// Baseline: the floor of exactness: the library's reduction and last step, with nothing found between.
+//
+// The library without all that finds a crossing. What its reduction costs, its culling, and one last step of a clear
+// crossing from the end of the line that is left of the ray; any-hit needs no last step. Its answers are wrong, and no
+// method that begins and ends as exactly can be faster.
 #ifndef EXACT_ENDS_GLSL
 #define EXACT_ENDS_GLSL
 
 #include "torus/torus.glsl"
 
-// One refinement, without the question whether it found anything.
+// One refinement, without a look whether it found anything.
 TorusHit exactEndsHit(torus_Line line, float u, bool leaves, float tMin, float tMax) {
     torus_March march = torus_March(u, u, leaves ? -1.0 : 1.0, 0.0, true, true, false, false, 0.0, 0.0);
     return torus_hitAt(line, torus_refine(line, march), tMin, tMax);

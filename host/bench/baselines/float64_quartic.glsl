@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
+// Baseline: bracketed Newton on the reduced quartic in float64.
+// Needs: float64.
+//
 // Exactness bought with float64, as who has it would write it: the ray moved to the foot of the perpendicular, the
-// reduced quartic f(u) = u^4 + p u^2 + q u + s of reduced_quartic.glsl in doubles, its critical points and roots by
+// reduced quartic f(u) = u^4 + p u^2 + q u + s of parts/reduced_quartic.glsl in doubles, its critical points and roots by
 // bracketed Newton (bracketed_newton.glsl), no compensation and no last step. A bounding sphere in float32 comes first.
 // GLSL has no cos, acos or pow of doubles, so a closed form is out of reach.
 #ifndef FLOAT64_QUARTIC_GLSL

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The floor: the bounding sphere in the torus' place, with the closest point taken as a vector (Haines, Guenther,
+// Baseline: the floor: the bounding sphere, which cannot be right.
+//
+// The bounding sphere in the torus' place, with the closest point taken as a vector (Haines, Guenther,
 // Akenine-Möller, Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, 2019, chapter 7). Its answers
 // are those of a sphere, and nobody can ask less of a torus.
 #ifndef RAY_SPHERE_GLSL

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a method's rough roots to the three questions, the same for every method on the reduced quartic: the library's
+// From a method's rough roots to the three queries, the same for every method on the reduced quartic: the library's
 // reduction before, its exact last step after. The including file names the method by macros:
 //
 //     QUARTIC_INTERSECT, QUARTIC_OCCLUDED, QUARTIC_INTERSECT_ALL    the functions to define
