@@ -6,16 +6,16 @@
 
 layout(local_size_x = 1) in;
 
-layout(set = 0, binding = EXPLAIN_BINDING_QUESTION, std430) readonly buffer Question { ExplainQuestion question; };
+layout(set = 0, binding = EXPLAIN_BINDING_QUERY, std430) readonly buffer Query { ExplainQuery query; };
 layout(set = 0, binding = EXPLAIN_BINDING_ANSWER, std430) buffer Answer { ExplainAnswer answer; };
 
 void main() {
-    Torus torus = Torus(question.majorRadius, question.minorRadius);
-    vec3 origin = vec3(question.origin[0], question.origin[1], question.origin[2]);
-    vec3 direction = vec3(question.direction[0], question.direction[1], question.direction[2]);
+    Torus torus = Torus(query.majorRadius, query.minorRadius);
+    vec3 origin = vec3(query.origin[0], query.origin[1], query.origin[2]);
+    vec3 direction = vec3(query.direction[0], query.direction[1], query.direction[2]);
     // The host hands the answer over filled with zeros.
     ExplainAnswer filled = answer;
-    explainHits(torus, origin, question.tMin, direction, question.tMax, filled);
+    explainHits(torus, origin, query.tMin, direction, query.tMax, filled);
     explainClosedForm(torus, origin, direction, filled);
     answer = filled;
 }

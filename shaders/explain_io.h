@@ -8,10 +8,10 @@
 namespace raytorus::explain_io {
 #endif
 
-#define EXPLAIN_BINDING_QUESTION 0
+#define EXPLAIN_BINDING_QUERY 0
 #define EXPLAIN_BINDING_ANSWER 1
 
-struct ExplainQuestion {
+struct ExplainQuery {
     float majorRadius;
     float minorRadius;
     float origin[3];

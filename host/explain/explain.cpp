@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-#include "explain/ask_device.hpp"
 #include "explain/conclusion.hpp"
 #include "explain/exact.hpp"
 #include "explain/match.hpp"
 #include "explain/notes.hpp"
+#include "explain/query_device.hpp"
 
 namespace raytorus::explain {
 namespace {
@@ -75,7 +75,7 @@ Explanation explain(gpu::Context& context, const reference::Torus& torus, const 
     e.torus = torus;
     e.ray = ray;
     e.faults = faultsOf(torus, ray);
-    askDevice(context, shaders, e);
+    queryDevice(context, shaders, e);
     if (e.faults.empty()) {
         const reference::Intersections truth = reference::intersect(torus, ray);
         e.startsInside = truth.startsInside;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One ray asked of the shaders and of the reference.
+// One ray, answered by the shaders and by the reference.
 #pragma once
 
 #include "explain/explanation.hpp"

@@ -8,10 +8,10 @@
 namespace raytorus::judge {
 namespace {
 
-// Asks one query, and puts each answer where it belongs.
+// Answers one query, and puts each answer where it belongs.
 template <typename Answer>
-void askOne(trace::Tracer& tracer, const reference::Torus& torus, const std::vector<trace::TraceRay>& rays,
-            std::vector<Answers>& answers, Answer Answers::*member) {
+void answerOne(trace::Tracer& tracer, const reference::Torus& torus, const std::vector<trace::TraceRay>& rays,
+               std::vector<Answers>& answers, Answer Answers::*member) {
     const std::span<const float> values = tracer.trace(torus.majorRadius, torus.minorRadius, rays);
     for (std::size_t i = 0; i < rays.size(); ++i) {
         std::memcpy(&(answers[i].*member), &values[i * sizeof(Answer) / sizeof(float)], sizeof(Answer));
@@ -25,12 +25,12 @@ Queries::Queries(gpu::Context& context, std::size_t capacity, const trace::Shade
       all(context, trace::Query::All, capacity, shaders),
       any(context, trace::Query::Any, capacity, shaders) {}
 
-std::vector<Answers> Queries::ask(const reference::Torus& torus, const std::vector<reference::Ray>& rays) {
+std::vector<Answers> Queries::answer(const reference::Torus& torus, const std::vector<reference::Ray>& rays) {
     const std::vector<trace::TraceRay> input = trace::asTraceRays(rays);
     std::vector<Answers> answers(rays.size());
-    askOne(nearest, torus, input, answers, &Answers::nearest);
-    askOne(all, torus, input, answers, &Answers::all);
-    askOne(any, torus, input, answers, &Answers::any);
+    answerOne(nearest, torus, input, answers, &Answers::nearest);
+    answerOne(all, torus, input, answers, &Answers::all);
+    answerOne(any, torus, input, answers, &Answers::any);
     return answers;
 }
 

@@ -24,7 +24,7 @@ public:
     Queries(gpu::Context& context, std::size_t capacity, const trace::ShaderSource& shaders = {});
 
     /// The answers to up to `capacity` rays, in their order.
-    std::vector<Answers> ask(const reference::Torus& torus, const std::vector<reference::Ray>& rays);
+    std::vector<Answers> answer(const reference::Torus& torus, const std::vector<reference::Ray>& rays);
 
 private:
     trace::Tracer nearest;

@@ -123,7 +123,7 @@ int naiveRoots(Torus torus, vec3 origin, float tMin, vec3 d, float tMax, out flo
 }
 
 // Every hit as naiveRoots has it; false where the input is bad.
-bool naiveAsk(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out vec3 unit, out float perLength,
+bool naiveHits(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out vec3 unit, out float perLength,
               out float roots[4], out int count) {
     float size = length(direction);
     perLength = 1.0 / size;
@@ -144,7 +144,7 @@ bool naiveIntersect(Torus torus, vec3 origin, float tMin, vec3 direction, float 
     float perLength;
     float roots[4];
     int count;
-    if (!naiveAsk(torus, origin, tMin, direction, tMax, unit, perLength, roots, count) || count == 0) {
+    if (!naiveHits(torus, origin, tMin, direction, tMax, unit, perLength, roots, count) || count == 0) {
         return false;
     }
     hit = TorusHit(roots[0] * perLength, origin + roots[0] * unit);
@@ -156,7 +156,7 @@ bool naiveOccluded(Torus torus, vec3 origin, float tMin, vec3 direction, float t
     float perLength;
     float roots[4];
     int count;
-    return naiveAsk(torus, origin, tMin, direction, tMax, unit, perLength, roots, count) && count > 0;
+    return naiveHits(torus, origin, tMin, direction, tMax, unit, perLength, roots, count) && count > 0;
 }
 
 int naiveIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, float tMax, out TorusHit hits[4]) {
@@ -167,7 +167,7 @@ int naiveIntersectAll(Torus torus, vec3 origin, float tMin, vec3 direction, floa
     float perLength;
     float roots[4];
     int count;
-    if (!naiveAsk(torus, origin, tMin, direction, tMax, unit, perLength, roots, count)) {
+    if (!naiveHits(torus, origin, tMin, direction, tMax, unit, perLength, roots, count)) {
         return 0;
     }
     for (int i = 0; i < count; ++i) {

@@ -60,7 +60,7 @@ Statistics Verifier::verify(const Cell& cell, std::uint64_t seed, std::uint64_t 
                 rays[i] = cell.ray(seed, first + i);
             }
         });
-        total.merge(judgeBlock(cell, rays, queries.ask(cell.torus(), rays)));
+        total.merge(judgeBlock(cell, rays, queries.answer(cell.torus(), rays)));
         if (progress) {
             progress(first + rays.size());
         }
@@ -71,7 +71,7 @@ Statistics Verifier::verify(const Cell& cell, std::uint64_t seed, std::uint64_t 
 Verifier::Replay Verifier::replay(const reference::Torus& torus, const reference::Ray& ray) {
     Replay replay;
     replay.truth = reference::intersect(torus, ray);
-    replay.answers = queries.ask(torus, {ray}).front();
+    replay.answers = queries.answer(torus, {ray}).front();
     replay.judgement = judge::judge(torus, ray, judge::arbiterTruth(torus, ray), replay.answers);
     return replay;
 }

@@ -18,7 +18,7 @@ namespace raytorus {
 namespace {
 
 using test::ClosedFormAnswer;
-using test::ClosedFormQuestion;
+using test::ClosedFormQuery;
 
 class ClosedFormDevice : public test::DeviceTest {};
 
@@ -26,20 +26,20 @@ std::array<float, 32> floats(const ClosedFormAnswer& answer) {
     return std::bit_cast<std::array<float, 32>>(answer);
 }
 
-std::vector<ClosedFormQuestion> ordinaryRays(std::uint64_t each) {
-    std::vector<ClosedFormQuestion> questions;
+std::vector<ClosedFormQuery> ordinaryRays(std::uint64_t each) {
+    std::vector<ClosedFormQuery> queries;
     for (const float minorRadius : {0.001F, 0.01F, 0.1F, 0.5F, 1.0F, 1.5F}) {
         for (const reference::RayClass rayClass : reference::allRayClasses) {
             const reference::RayParameters parameters{{1.0F, minorRadius}, 3.0, 1e-4, test::freshSeed()};
             for (const reference::Ray& ray : generateRays(rayClass, parameters, each)) {
-                ClosedFormQuestion q{1.0F, minorRadius, {}, {}};
+                ClosedFormQuery q{1.0F, minorRadius, {}, {}};
                 std::copy(ray.origin, ray.origin + 3, q.origin);
                 std::copy(ray.direction, ray.direction + 3, q.direction);
-                questions.push_back(q);
+                queries.push_back(q);
             }
         }
     }
-    return questions;
+    return queries;
 }
 
 // Denormals are the driver's to flush, and with them what is the square root of one, 1e-19 R; and of zeros of
@@ -49,18 +49,18 @@ float flushed(float x) {
 }
 
 TEST_F(ClosedFormDevice, HasTheBitsOfTheSameTextAsCxx) {
-    const std::vector<ClosedFormQuestion> questions = ordinaryRays(100);
-    const std::vector<ClosedFormAnswer> answers = askDevice(questions);
+    const std::vector<ClosedFormQuery> queries = ordinaryRays(100);
+    const std::vector<ClosedFormAnswer> answers = answersOfDevice(queries);
     std::size_t met = 0;
-    for (std::size_t i = 0; i < questions.size(); ++i) {
+    for (std::size_t i = 0; i < queries.size(); ++i) {
         const std::array<float, 32> found = floats(answers[i]);
-        const std::array<float, 32> expected = floats(test::askCxx(questions[i]));
+        const std::array<float, 32> expected = floats(test::answerOfCxx(queries[i]));
         met += answers[i].t.count > 0 ? 1U : 0U;
         for (std::size_t k = 0; k < 32; ++k) {
             ASSERT_EQ(flushed(found[k]), flushed(expected[k])) << "ray " << i << ", float " << k;
         }
     }
-    EXPECT_GT(met, questions.size() / 3);
+    EXPECT_GT(met, queries.size() / 3);
 }
 
 // Any finite float, and numbers where squares, cubes or sixth powers leave float32.
@@ -86,10 +86,10 @@ float wild(reference::Random& random) {
 }
 
 TEST_F(ClosedFormDevice, GivesFiniteNumbersForAnyFiniteRay) {
-    std::vector<ClosedFormQuestion> questions;
+    std::vector<ClosedFormQuery> queries;
     for (std::uint64_t i = 0; i < 100000; ++i) {
         reference::Random random(test::freshSeed(), 1, i);
-        ClosedFormQuestion q{};
+        ClosedFormQuery q{};
         // Half of them about as large as the torus, so that there is something to solve.
         q.majorRadius = i % 2 == 0 ? wild(random) : 1.0F;
         q.minorRadius = i % 2 == 0 ? wild(random) : std::abs(wild(random));
@@ -99,18 +99,18 @@ TEST_F(ClosedFormDevice, GivesFiniteNumbersForAnyFiniteRay) {
         for (float& x : q.direction) {
             x = wild(random);
         }
-        questions.push_back(q);
+        queries.push_back(q);
     }
     // Met where t is beyond float32: a miss, as for the library.
-    questions.push_back({1e17F, 2.5e16F, {-1e22F, 0, 0}, {1e-18F, 0, 0}});
-    const std::vector<ClosedFormAnswer> answers = askDevice(questions);
+    queries.push_back({1e17F, 2.5e16F, {-1e22F, 0, 0}, {1e-18F, 0, 0}});
+    const std::vector<ClosedFormAnswer> answers = answersOfDevice(queries);
     std::size_t met = 0;
     for (std::size_t i = 0; i < answers.size(); ++i) {
         const ClosedFormAnswer& a = answers[i];
         met += a.t.count > 0 ? 1U : 0U;
         for (const float x : floats(a)) {
             ASSERT_TRUE(std::isfinite(x))
-                << i << ": " << questions[i].majorRadius << ' ' << questions[i].minorRadius;
+                << i << ": " << queries[i].majorRadius << ' ' << queries[i].minorRadius;
         }
         for (const test::RootsAnswer& roots : {a.t, a.axial, a.radial}) {
             const auto count = static_cast<std::size_t>(roots.count);
@@ -125,24 +125,24 @@ TEST_F(ClosedFormDevice, GivesFiniteNumbersForAnyFiniteRay) {
 }
 
 TEST_F(ClosedFormDevice, HasNoRootsForBadInput) {
-    const ClosedFormQuestion good{1.0F, 0.25F, {-3, 0, 0}, {1, 0, 0}};
-    std::vector<ClosedFormQuestion> questions{good};
+    const ClosedFormQuery good{1.0F, 0.25F, {-3, 0, 0}, {1, 0, 0}};
+    std::vector<ClosedFormQuery> queries{good};
     const auto with = [&](auto change) {
-        questions.push_back(good);
-        change(questions.back());
+        queries.push_back(good);
+        change(queries.back());
     };
     for (const float bad : {std::nanf(""), INFINITY, -INFINITY}) {
-        with([&](ClosedFormQuestion& q) { q.majorRadius = bad; });
-        with([&](ClosedFormQuestion& q) { q.minorRadius = bad; });
-        with([&](ClosedFormQuestion& q) { q.origin[1] = bad; });
-        with([&](ClosedFormQuestion& q) { q.direction[1] = bad; });
+        with([&](ClosedFormQuery& q) { q.majorRadius = bad; });
+        with([&](ClosedFormQuery& q) { q.minorRadius = bad; });
+        with([&](ClosedFormQuery& q) { q.origin[1] = bad; });
+        with([&](ClosedFormQuery& q) { q.direction[1] = bad; });
     }
-    with([](ClosedFormQuestion& q) { q.majorRadius = 0; });
-    with([](ClosedFormQuestion& q) { q.majorRadius = -1; });
-    with([](ClosedFormQuestion& q) { q.minorRadius = 0; });
-    with([](ClosedFormQuestion& q) { q.minorRadius = 101; });
-    with([](ClosedFormQuestion& q) { q.direction[0] = 0; });
-    const std::vector<ClosedFormAnswer> answers = askDevice(questions);
+    with([](ClosedFormQuery& q) { q.majorRadius = 0; });
+    with([](ClosedFormQuery& q) { q.majorRadius = -1; });
+    with([](ClosedFormQuery& q) { q.minorRadius = 0; });
+    with([](ClosedFormQuery& q) { q.minorRadius = 101; });
+    with([](ClosedFormQuery& q) { q.direction[0] = 0; });
+    const std::vector<ClosedFormAnswer> answers = answersOfDevice(queries);
     EXPECT_EQ(answers[0].t.count, 4.0F);
     for (std::size_t i = 1; i < answers.size(); ++i) {
         EXPECT_EQ(answers[i].meets, 0.0F) << i;

@@ -53,7 +53,7 @@ struct Errors {
     }
 };
 
-void ask(const reference::RayParameters& parameters, const reference::Ray& ray, Errors& result) {
+void addErrors(const reference::RayParameters& parameters, const reference::Ray& ray, Errors& result) {
     const double w{parameters.torus.minorRadius};
     const Triple<Quad> origin = test::quads(ray.origin);
     const Triple<Quad> direction = test::quads(ray.direction);
@@ -94,7 +94,7 @@ TEST_P(ClosedFormFloat, LosesHalfItsDigitsAndPairsNearATangentNoMore) {
         for (const double distance : {3.0, 100.0}) {
             const reference::RayParameters parameters{{1.0F, minorRadius}, distance, 1e-4, fixedSeed};
             for (const reference::Ray& ray : generateRays(GetParam(), parameters, 2000)) {
-                ask(parameters, ray, found);
+                addErrors(parameters, ray, found);
             }
         }
         fmt::print(

@@ -13,7 +13,7 @@
 namespace raytorus::test {
 namespace {
 
-static_assert(sizeof(ClosedFormQuestion) == 8 * sizeof(float));
+static_assert(sizeof(ClosedFormQuery) == 8 * sizeof(float));
 static_assert(sizeof(ClosedFormAnswer) == 32 * sizeof(float));
 
 RootsAnswer answer(const QuarticRoots<float>& found) {
@@ -28,10 +28,10 @@ QuarticAnswer answer(const ReducedQuartic<float>& quartic) {
 
 }  // namespace
 
-std::vector<ClosedFormAnswer> askDevice(const std::vector<ClosedFormQuestion>& questions) {
+std::vector<ClosedFormAnswer> answersOfDevice(const std::vector<ClosedFormQuery>& queries) {
     const gpu::Buffer input =
-        gpu::makeBuffer(device(), std::span<const ClosedFormQuestion>(questions), gpu::BufferUse::Storage);
-    const gpu::Buffer output(device(), questions.size() * sizeof(ClosedFormAnswer), gpu::BufferUse::ReadBack);
+        gpu::makeBuffer(device(), std::span<const ClosedFormQuery>(queries), gpu::BufferUse::Storage);
+    const gpu::Buffer output(device(), queries.size() * sizeof(ClosedFormAnswer), gpu::BufferUse::ReadBack);
     gpu::PipelineLayoutInfo info;
     info.bindings = {{0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}, {1, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}};
     info.pushConstantBytes = sizeof(std::uint32_t);
@@ -40,23 +40,23 @@ std::vector<ClosedFormAnswer> askDevice(const std::vector<ClosedFormQuestion>& q
     gpu::Pipeline pipeline = gpu::makeComputePipeline(device(), shader, info);
     pipeline.bind(0, input);
     pipeline.bind(1, output);
-    const auto count = static_cast<std::uint32_t>(questions.size());
+    const auto count = static_cast<std::uint32_t>(queries.size());
     device().submit([&](VkCommandBuffer commands) {
         pipeline.use(commands, std::as_bytes(std::span(&count, 1)));
         vkCmdDispatch(commands, (count + 63) / 64, 1, 1);
         gpu::bufferBarrier(commands, output, gpu::shaderWrite, gpu::hostRead);
     });
-    std::vector<ClosedFormAnswer> answers(questions.size());
+    std::vector<ClosedFormAnswer> answers(queries.size());
     std::memcpy(answers.data(), output.data(), answers.size() * sizeof(ClosedFormAnswer));
     return answers;
 }
 
-ClosedFormAnswer askCxx(const ClosedFormQuestion& question) {
+ClosedFormAnswer answerOfCxx(const ClosedFormQuery& query) {
     using Cxx = ClosedFormCxx<float>;
-    const Triple<float> origin = std::to_array(question.origin);
-    const Triple<float> direction = std::to_array(question.direction);
-    const float R = question.majorRadius;
-    const float r = question.minorRadius;
+    const Triple<float> origin = std::to_array(query.origin);
+    const Triple<float> direction = std::to_array(query.direction);
+    const float R = query.majorRadius;
+    const float r = query.minorRadius;
     ClosedFormAnswer result{};
     const std::array<float, 5> c = Cxx::quarticCoefficients(R, r, origin, direction);
     std::copy(c.begin(), c.end(), result.coefficients);

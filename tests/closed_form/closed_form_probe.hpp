@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The functions of closed_form.glsl, asked ray by ray: of the device through closed_form.comp, and of the
+// The functions of closed_form.glsl, ray by ray: by the device through closed_form.comp, and by the
 // same text as C++.
 #pragma once
 
@@ -8,7 +8,7 @@
 namespace raytorus::test {
 
 /// A ray and its torus, as closed_form.comp reads them.
-struct ClosedFormQuestion {
+struct ClosedFormQuery {
     float majorRadius;
     float minorRadius;
     float origin[3];
@@ -42,7 +42,7 @@ struct ClosedFormAnswer {
     float betaProduct;
 };
 
-std::vector<ClosedFormAnswer> askDevice(const std::vector<ClosedFormQuestion>& questions);
-ClosedFormAnswer askCxx(const ClosedFormQuestion& question);
+std::vector<ClosedFormAnswer> answersOfDevice(const std::vector<ClosedFormQuery>& queries);
+ClosedFormAnswer answerOfCxx(const ClosedFormQuery& query);
 
 }  // namespace raytorus::test

@@ -33,9 +33,10 @@ using judge::Answers;
 using reference::Ray;
 
 // The answers of a method to these rays.
-std::vector<Answers> ask(const Method& method, const reference::Torus& torus, const std::vector<Ray>& rays) {
-    judge::Queries questions(test::device(), rays.size(), method.shaders);
-    return questions.ask(torus, rays);
+std::vector<Answers> answersOf(const Method& method, const reference::Torus& torus,
+                               const std::vector<Ray>& rays) {
+    judge::Queries queries(test::device(), rays.size(), method.shaders);
+    return queries.answer(torus, rays);
 }
 
 struct Known {
@@ -109,7 +110,7 @@ TEST_P(EachMethod, DrawsThePictureOfTheLibrary) {
 }
 
 TEST_P(EachMethod, HitsWhereItMust) {
-    const std::vector<Answers> answers = ask(GetParam(), ring, raysOf(knownRays));
+    const std::vector<Answers> answers = answersOf(GetParam(), ring, raysOf(knownRays));
     const double size = static_cast<double>(ring.majorRadius) + static_cast<double>(ring.minorRadius);
     for (std::size_t i = 0; i < std::size(knownRays); ++i) {
         SCOPED_TRACE(knownRays[i].name);
@@ -134,7 +135,7 @@ TEST_P(EachMethod, HitsWhereItMust) {
 }
 
 TEST_P(EachMethod, NearestIsTheFirstOfAll) {
-    const std::vector<Answers> answers = ask(GetParam(), ring, raysOf(knownRays));
+    const std::vector<Answers> answers = answersOf(GetParam(), ring, raysOf(knownRays));
     for (std::size_t i = 0; i < std::size(knownRays); ++i) {
         EXPECT_EQ(answers[i].nearest.t, answers[i].all.t[0]) << knownRays[i].name;
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -148,7 +149,7 @@ TEST_P(EachMethod, SeesTheOuterSheetOfASpindleOnly) {
     const std::vector<Ray> rays = {{{0.1F, 0, 3}, 0, {0, 0, -1}, infinity},
                                    {{0.1F, 0, 0}, 0, {0, 0, 1}, infinity},
                                    {{4, 0, 0.5F}, 0, {-1, 0, 0}, infinity}};
-    const std::vector<Answers> answers = ask(GetParam(), {1.0F, 1.25F}, rays);
+    const std::vector<Answers> answers = answersOf(GetParam(), {1.0F, 1.25F}, rays);
     EXPECT_EQ(answers[0].all.count, 2.0F);
     EXPECT_EQ(answers[1].all.count, 1.0F);
     EXPECT_EQ(answers[2].all.count, 2.0F);
@@ -180,10 +181,10 @@ TEST_P(EachMethod, MissesWithTheContractsOutputs) {
         {ring, {{3, 0, 0}, 5, {-1, 0, 0}, 1}, 1},
         {ring, {{3, 0, 0}, 0, {-1, 0, 0}, nan}, 0},
     };
-    judge::Queries questions(test::device(), 1, GetParam().shaders);
+    judge::Queries queries(test::device(), 1, GetParam().shaders);
     for (std::size_t i = 0; i < std::size(rows); ++i) {
         SCOPED_TRACE(i);
-        const std::vector<Answers> answers = questions.ask(rows[i].torus, {rows[i].ray});
+        const std::vector<Answers> answers = queries.answer(rows[i].torus, {rows[i].ray});
         EXPECT_EQ(answers[0].any, 0.0F);
         EXPECT_EQ(answers[0].nearest.hit, 0.0F);
         EXPECT_EQ(answers[0].nearest.t, rows[i].t);
@@ -230,8 +231,8 @@ TEST_F(Production, EqualsTorusGlslBitForBit) {
         rays.insert(rays.end(), some.begin(), some.end());
     }
     judge::Queries builtIn(test::device(), rays.size());
-    const std::vector<Answers> expected = builtIn.ask(parameters.torus, rays);
-    const std::vector<Answers> row = ask(methods().front(), parameters.torus, rays);
+    const std::vector<Answers> expected = builtIn.answer(parameters.torus, rays);
+    const std::vector<Answers> row = answersOf(methods().front(), parameters.torus, rays);
     static_assert(sizeof(Answers) == sizeof(trace::NearestHit) + sizeof(trace::AllHits) + sizeof(float));
     EXPECT_EQ(std::memcmp(expected.data(), row.data(), rays.size() * sizeof(Answers)), 0);
 }

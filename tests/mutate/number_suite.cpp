@@ -21,14 +21,14 @@ std::optional<std::string> caughtByContract(gpu::Context& context, const trace::
     std::array tracers = {trace::Tracer(context, trace::Query::Nearest, test::contractRays, shaders),
                           trace::Tracer(context, trace::Query::All, test::contractRays, shaders),
                           trace::Tracer(context, trace::Query::Any, test::contractRays, shaders)};
-    const test::AskRays ask = [&tracers](trace::Query query, float majorRadius, float minorRadius,
-                                         const std::vector<trace::TraceRay>& rays) {
+    const test::AnswerRays answer = [&tracers](trace::Query query, float majorRadius, float minorRadius,
+                                               const std::vector<trace::TraceRay>& rays) {
         const std::span<const float> values =
             tracers.at(static_cast<std::size_t>(query)).trace(majorRadius, minorRadius, rays);
         return std::vector<float>(values.begin(), values.end());
     };
     for (const test::ContractCheck& check : test::contractChecks()) {
-        const std::string fault = check.fault(ask);
+        const std::string fault = check.fault(answer);
         if (!fault.empty()) {
             return fmt::format("{}: {}", check.name, fault);
         }
@@ -38,10 +38,10 @@ std::optional<std::string> caughtByContract(gpu::Context& context, const trace::
 
 std::optional<std::string> caughtBySpecialLines(gpu::Context& context, const trace::ShaderSource& shaders) {
     constexpr std::size_t capacity = 4096;
-    judge::Queries questions(context, capacity, shaders);
+    judge::Queries queries(context, capacity, shaders);
     for (const test::SpecialLinesOf& kind : test::allSpecialLines()) {
         for (const test::SpecialLines& lines : kind.lines()) {
-            const std::vector<judge::Answers> answers = questions.ask(lines.torus, lines.rays);
+            const std::vector<judge::Answers> answers = queries.answer(lines.torus, lines.rays);
             for (std::size_t i = 0; i < answers.size(); ++i) {
                 const std::string fault = test::mismatch(lines.torus, lines.rays[i], answers[i]);
                 if (!fault.empty()) {

@@ -21,7 +21,7 @@ void append(std::vector<float>& floats, const Answer& answer) {
     floats.insert(floats.end(), own.begin(), own.end());
 }
 
-AskRays askOf(const Tier& tier) {
+AnswerRays answersOf(const Tier& tier) {
     return
         [&tier](Query query, float majorRadius, float minorRadius, const std::vector<trace::TraceRay>& rays) {
             std::vector<float> answers;
@@ -46,7 +46,7 @@ class TierContract : public OfBothTiers {};
 
 TEST_P(TierContract, IsKept) {
     for (const ContractCheck& check : contractChecks()) {
-        EXPECT_EQ(check.fault(askOf(tier())), "") << check.name;
+        EXPECT_EQ(check.fault(answersOf(tier())), "") << check.name;
     }
 }
 

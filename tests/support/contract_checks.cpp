@@ -116,19 +116,19 @@ std::string differenceFrom(const std::vector<float>& expected, const std::vector
     return fmt::format("{}: {} instead of {}", what, fmt::join(actual, " "), fmt::join(expected, " "));
 }
 
-std::string answerFault(const AskRays& ask, const BadInput& bad) {
-    const auto askBad = [&](Query query) {
+std::string answerFault(const AnswerRays& answer, const BadInput& bad) {
+    const auto answerBad = [&](Query query) {
         // The unspoilt ray's answer lies where the bad one's belongs: what is not written is not as expected.
-        ask(query, 1.0F, 0.25F, {BadInput{}.ray});
-        return ask(query, bad.majorRadius, bad.minorRadius, {bad.ray});
+        answer(query, 1.0F, 0.25F, {BadInput{}.ray});
+        return answer(query, bad.majorRadius, bad.minorRadius, {bad.ray});
     };
-    std::string fault = differenceFrom({0, bad.t, 0, 0, 0, 0, 0, 0}, askBad(Query::Nearest), bad.name);
+    std::string fault = differenceFrom({0, bad.t, 0, 0, 0, 0, 0, 0}, answerBad(Query::Nearest), bad.name);
     if (fault.empty()) {
         std::vector<float> none(17, 0.0F);
         std::fill(none.begin() + 1, none.begin() + 5, bad.t);
-        fault = differenceFrom(none, askBad(Query::All), bad.name);
+        fault = differenceFrom(none, answerBad(Query::All), bad.name);
     }
-    return fault.empty() ? differenceFrom({0}, askBad(Query::Any), bad.name) : fault;
+    return fault.empty() ? differenceFrom({0}, answerBad(Query::Any), bad.name) : fault;
 }
 
 // The exponents by which a scaled ray's lengths and its direction differ from the unscaled one's.
@@ -163,44 +163,44 @@ bool sameButForScale(const Scale& scale, const float* expected, const float* act
 
 }  // namespace
 
-std::string badInputFault(const AskRays& ask) {
+std::string badInputFault(const AnswerRays& answer) {
     for (const BadInput& bad : badInputs()) {
-        const std::string fault = answerFault(ask, bad);
+        const std::string fault = answerFault(answer, bad);
         if (!fault.empty()) {
             return fault;
         }
     }
     // The unspoilt ray hits: the misses above are not for another reason.
-    return differenceFrom({1}, ask(Query::Any, 1.0F, 0.25F, {BadInput{}.ray}), "the unspoilt ray");
+    return differenceFrom({1}, answer(Query::Any, 1.0F, 0.25F, {BadInput{}.ray}), "the unspoilt ray");
 }
 
-std::string infiniteEndFault(const AskRays& ask) {
+std::string infiniteEndFault(const AnswerRays& answer) {
     for (const float tMax : {infinity, largest}) {
         const TraceRay hits{{3, 0, 0}, 0, {-1, 0, 0}, tMax};
         const TraceRay misses{{3, 0, 0}, 0, {1, 0, 0}, tMax};
-        const std::vector<float> found = ask(Query::Nearest, 1.0F, 0.25F, {hits});
+        const std::vector<float> found = answer(Query::Nearest, 1.0F, 0.25F, {hits});
         if (found[0] != 1.0F || !(std::abs(found[1] - 1.75F) <= 1e-6F)) {
             return fmt::format("tMax {}: hit {} at t {} instead of 1.75", tMax, found[0], found[1]);
         }
-        const float missed = ask(Query::Nearest, 1.0F, 0.25F, {misses})[1];
+        const float missed = answer(Query::Nearest, 1.0F, 0.25F, {misses})[1];
         if (missed != tMax) {
             return fmt::format("tMax {}: a miss has t {}", tMax, missed);
         }
     }
     const TraceRay bad{{3, 0, 0}, 0, {-1, 0, 0}, nan};
     const std::string fault =
-        differenceFrom({0, 0, 0, 0, 0, 0, 0, 0}, ask(Query::Nearest, 1.0F, 0.25F, {bad}), "tMax nan");
+        differenceFrom({0, 0, 0, 0, 0, 0, 0, 0}, answer(Query::Nearest, 1.0F, 0.25F, {bad}), "tMax nan");
     if (!fault.empty()) {
         return fault;
     }
     const TraceRay unbounded{{3, 0, 0}, -infinity, {-1, 0, 0}, infinity};
-    const float count = ask(Query::All, 1.0F, 0.25F, {unbounded})[0];
+    const float count = answer(Query::All, 1.0F, 0.25F, {unbounded})[0];
     return count == 4.0F ? "" : fmt::format("the unbounded line has {} hits instead of 4", count);
 }
 
-std::string scalingFault(const AskRays& ask) {
+std::string scalingFault(const AnswerRays& answer) {
     const std::vector<TraceRay> rays = cameraRays(0.25F);
-    const std::vector<float> unscaled = ask(Query::All, 1.0F, 0.25F, rays);
+    const std::vector<float> unscaled = answer(Query::All, 1.0F, 0.25F, rays);
     for (const int size : {-40, -13, 1, 7, 40}) {
         for (const int direction : {-30, 0, 17}) {
             const Scale scale{size, direction};
@@ -208,7 +208,7 @@ std::string scalingFault(const AskRays& ask) {
             std::transform(rays.begin(), rays.end(), std::back_inserter(scaled),
                            [&scale](const TraceRay& ray) { return scaledBy(scale, ray); });
             const std::vector<float> hits =
-                ask(Query::All, std::ldexp(1.0F, size), std::ldexp(0.25F, size), scaled);
+                answer(Query::All, std::ldexp(1.0F, size), std::ldexp(0.25F, size), scaled);
             for (std::size_t i = 0; i < rays.size(); ++i) {
                 if (!sameButForScale(scale, &unscaled[17 * i], &hits[17 * i])) {
                     return fmt::format("ray {} changes where lengths grow by 2^{}, its direction by 2^{}", i,
@@ -220,9 +220,9 @@ std::string scalingFault(const AskRays& ask) {
     return "";
 }
 
-std::string pastTheCountFault(const AskRays& ask) {
+std::string pastTheCountFault(const AnswerRays& answer) {
     const std::vector<TraceRay> rays = cameraRays(0.5F);
-    const std::vector<float> hits = ask(Query::All, 1.0F, 0.5F, rays);
+    const std::vector<float> hits = answer(Query::All, 1.0F, 0.5F, rays);
     int partial = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const float* hit = &hits[17 * i];
@@ -243,13 +243,14 @@ std::string pastTheCountFault(const AskRays& ask) {
     return partial > 0 ? "" : "no ray had entries past its hits";
 }
 
-std::string hitNormalFault(const AskRays& ask) {
+std::string hitNormalFault(const AnswerRays& answer) {
     constexpr float minorRadius = 0.25F;
     const reference::Torus torus{1.0F, minorRadius};
     // rho carries half an ulp of R, which turns the tube's radius by 2^-24 R / r.
     constexpr double rounding = 2.4e-7 * (1.0 + 1.0 / double{minorRadius});
     for (const reference::RayClass rayClass : {reference::RayClass::camera, reference::RayClass::inside}) {
-        const std::vector<float> hits = ask(Query::Nearest, 1.0F, minorRadius, raysOf(rayClass, minorRadius));
+        const std::vector<float> hits =
+            answer(Query::Nearest, 1.0F, minorRadius, raysOf(rayClass, minorRadius));
         for (std::size_t i = 0; i < contractRays; ++i) {
             trace::NearestHit hit;
             std::memcpy(&hit, &hits[i * trace::hitFloats(Query::Nearest)], sizeof(hit));

@@ -14,20 +14,20 @@
 namespace raytorus::test {
 
 /// The answers to at most contractRays rays at a torus of these radii, as a row of floats.
-using AskRays = std::function<std::vector<float>(trace::Query, float majorRadius, float minorRadius,
-                                                 const std::vector<trace::TraceRay>&)>;
+using AnswerRays = std::function<std::vector<float>(trace::Query, float majorRadius, float minorRadius,
+                                                    const std::vector<trace::TraceRay>&)>;
 inline constexpr std::size_t contractRays = 512;
 
-std::string badInputFault(const AskRays& ask);
-std::string infiniteEndFault(const AskRays& ask);
-std::string scalingFault(const AskRays& ask);
-std::string pastTheCountFault(const AskRays& ask);
+std::string badInputFault(const AnswerRays& answer);
+std::string infiniteEndFault(const AnswerRays& answer);
+std::string scalingFault(const AnswerRays& answer);
+std::string pastTheCountFault(const AnswerRays& answer);
 /// The normal of the nearest hit, which is that of its position, outward from whichever side it is hit.
-std::string hitNormalFault(const AskRays& ask);
+std::string hitNormalFault(const AnswerRays& answer);
 
 struct ContractCheck {
     const char* name;
-    std::string (*fault)(const AskRays& ask);
+    std::string (*fault)(const AnswerRays& answer);
 };
 
 /// All of them.

@@ -11,11 +11,11 @@
 namespace raytorus::test {
 namespace {
 
-// A tracer a question, kept: each makes a pipeline, which takes some drivers a third of a second.
+// A tracer a query, kept: each makes a pipeline, which takes some drivers a third of a second.
 class Contract : public DeviceTest {
 protected:
-    AskRays ask = [this](trace::Query query, float majorRadius, float minorRadius,
-                         const std::vector<trace::TraceRay>& rays) {
+    AnswerRays answer = [this](trace::Query query, float majorRadius, float minorRadius,
+                               const std::vector<trace::TraceRay>& rays) {
         std::optional<trace::Tracer>& tracer = tracers.at(static_cast<std::size_t>(query));
         if (!tracer) {
             tracer.emplace(device(), query, contractRays);
@@ -29,23 +29,23 @@ private:
 };
 
 TEST_F(Contract, BadInputIsAMissWithEveryOutputWritten) {
-    EXPECT_EQ(badInputFault(ask), "");
+    EXPECT_EQ(badInputFault(answer), "");
 }
 
 TEST_F(Contract, TMaxMayBeInfiniteAndANanInItIsAMiss) {
-    EXPECT_EQ(infiniteEndFault(ask), "");
+    EXPECT_EQ(infiniteEndFault(answer), "");
 }
 
 TEST_F(Contract, ScalingByPowersOfTwoChangesNoBit) {
-    EXPECT_EQ(scalingFault(ask), "");
+    EXPECT_EQ(scalingFault(answer), "");
 }
 
 TEST_F(Contract, EntriesPastTheCountHoldTMax) {
-    EXPECT_EQ(pastTheCountFault(ask), "");
+    EXPECT_EQ(pastTheCountFault(answer), "");
 }
 
 TEST_F(Contract, NormalsOfHitsAreOutward) {
-    EXPECT_EQ(hitNormalFault(ask), "");
+    EXPECT_EQ(hitNormalFault(answer), "");
 }
 
 }  // namespace

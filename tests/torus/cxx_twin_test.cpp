@@ -184,7 +184,7 @@ std::string described(const Case& c, const TraceRay& ray, const std::string& dif
                              reference::hexFloats(c.torus, trace::asReferenceRay(ray)), difference);
 }
 
-// Asks one question of every ray, both ways, and returns how many answers were hits (or counts above 0).
+// Asks one query of every ray, both ways, and returns how many answers were hits (or counts above 0).
 template <typename Answer, typename OnCpu>
 std::size_t expectSameBits(Query query, OnCpu onCpu) {
     static_assert(sizeof(Answer) % sizeof(float) == 0);

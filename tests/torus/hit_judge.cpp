@@ -49,11 +49,11 @@ std::string misplaced(const judge::Judgement& judged, Judgement& judgement) {
 
 }  // namespace
 
-HitJudge::HitJudge(std::size_t capacity) : questions(device(), capacity) {}
+HitJudge::HitJudge(std::size_t capacity) : queries(device(), capacity) {}
 
 Judgement HitJudge::judgeAll(const reference::Torus& torus, const std::vector<reference::Ray>& rays,
                              const std::string& name, bool clearOnly) {
-    const std::vector<judge::Answers> answers = questions.ask(torus, rays);
+    const std::vector<judge::Answers> answers = queries.answer(torus, rays);
     const double endMargin = judge::clearEndMargin(torus);
     Judgement judgement;
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -89,7 +89,7 @@ Judgement HitJudge::judgeVerdicts(const reference::Torus& torus, const std::vect
 
 std::vector<std::string> HitJudge::mismatches(const reference::Torus& torus,
                                               const std::vector<reference::Ray>& rays) {
-    const std::vector<judge::Answers> answers = questions.ask(torus, rays);
+    const std::vector<judge::Answers> answers = queries.answer(torus, rays);
     std::vector<std::string> faults(rays.size());
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const std::string fault = mismatch(torus, rays[i], answers[i]);

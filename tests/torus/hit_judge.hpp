@@ -23,7 +23,7 @@ struct Judgement {
     double offSurface = 0.0;          ///< the largest distance of a position from the surface, in R + r
 };
 
-/// Asks all three questions of rays, and judges the answers.
+/// Asks all three queries of rays, and judges the answers.
 class HitJudge {
 public:
     /// Room for `capacity` rays at a time.
@@ -46,7 +46,7 @@ private:
     Judgement judgeAll(const reference::Torus& torus, const std::vector<reference::Ray>& rays,
                        const std::string& name, bool clearOnly);
 
-    judge::Queries questions;
+    judge::Queries queries;
 };
 
 }  // namespace raytorus::test

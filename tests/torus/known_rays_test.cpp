@@ -71,7 +71,8 @@ TEST_F(NearHits, HaveAllDigitsOfTheirT) {
         }
     }
     const reference::Torus torus{1, minorRadius};
-    const std::vector<judge::Answers> answers = judge::Queries(test::device(), rays.size()).ask(torus, rays);
+    const std::vector<judge::Answers> answers =
+        judge::Queries(test::device(), rays.size()).answer(torus, rays);
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const reference::Intersections truth = reference::intersect(torus, rays[i]);
         ASSERT_GE(truth.count, 1) << i;

@@ -10,6 +10,6 @@ namespace raytorus::explain {
 
 /// Fills in `shader`, `nearest`, `occluded`, `hits` and `closedForm` for the torus and ray of the
 /// explanation.
-void askDevice(gpu::Context& context, const trace::ShaderSource& shaders, Explanation& explanation);
+void queryDevice(gpu::Context& context, const trace::ShaderSource& shaders, Explanation& explanation);
 
 }  // namespace raytorus::explain

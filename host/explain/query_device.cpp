@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "explain/ask_device.hpp"
+#include "explain/query_device.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,26 +15,25 @@ namespace {
 
 using explain_io::ExplainAnswer;
 using explain_io::ExplainHit;
-using explain_io::ExplainQuestion;
+using explain_io::ExplainQuery;
 
-ExplainQuestion questionOf(const reference::Torus& torus, const reference::Ray& ray) {
-    ExplainQuestion question{torus.majorRadius, torus.minorRadius, {}, ray.tMin, {}, ray.tMax};
-    std::copy(std::begin(ray.origin), std::end(ray.origin), question.origin);
-    std::copy(std::begin(ray.direction), std::end(ray.direction), question.direction);
-    return question;
+ExplainQuery queryOf(const reference::Torus& torus, const reference::Ray& ray) {
+    ExplainQuery query{torus.majorRadius, torus.minorRadius, {}, ray.tMin, {}, ray.tMax};
+    std::copy(std::begin(ray.origin), std::end(ray.origin), query.origin);
+    std::copy(std::begin(ray.direction), std::end(ray.direction), query.direction);
+    return query;
 }
 
-ExplainAnswer ask(gpu::Context& context, const trace::ShaderSource& shaders,
-                  const ExplainQuestion& question) {
-    const gpu::Buffer input = gpu::makeBuffer(context, std::span(&question, 1), gpu::BufferUse::Storage);
+ExplainAnswer answerOf(gpu::Context& context, const trace::ShaderSource& shaders, const ExplainQuery& query) {
+    const gpu::Buffer input = gpu::makeBuffer(context, std::span(&query, 1), gpu::BufferUse::Storage);
     const ExplainAnswer nothing{};
     const gpu::Buffer output = gpu::makeBuffer(context, std::span(&nothing, 1), gpu::BufferUse::ReadBack);
     gpu::PipelineLayoutInfo info;
-    info.bindings = {{EXPLAIN_BINDING_QUESTION, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
+    info.bindings = {{EXPLAIN_BINDING_QUERY, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
                      {EXPLAIN_BINDING_ANSWER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}};
     const gpu::ShaderModule shader(context, shaders.load("explain.comp"), "explain.comp");
     gpu::Pipeline pipeline = gpu::makeComputePipeline(context, shader, info);
-    pipeline.bind(EXPLAIN_BINDING_QUESTION, input);
+    pipeline.bind(EXPLAIN_BINDING_QUERY, input);
     pipeline.bind(EXPLAIN_BINDING_ANSWER, output);
     context.submit([&](VkCommandBuffer commands) {
         pipeline.use(commands);
@@ -96,8 +95,8 @@ Steps<float> stepsOf(const ExplainAnswer& answer) {
 
 }  // namespace
 
-void askDevice(gpu::Context& context, const trace::ShaderSource& shaders, Explanation& explanation) {
-    const ExplainAnswer answer = ask(context, shaders, questionOf(explanation.torus, explanation.ray));
+void queryDevice(gpu::Context& context, const trace::ShaderSource& shaders, Explanation& explanation) {
+    const ExplainAnswer answer = answerOf(context, shaders, queryOf(explanation.torus, explanation.ray));
     explanation.shader = stepsOf(answer);
     if (answer.found != 0) {
         explanation.nearest = hitOf(answer.nearest);
