@@ -5,7 +5,7 @@
 Usage: scripts/plot_accuracy.py <folder> <results.json>...
 
 Writes accuracy-distance.svg and accuracy-radius.svg (one line a method and quantile) and accuracy-histogram.svg (of the
-first file) into the folder. Several files of one method are added up. Clear rays alone: grazing cells are left out.
+first file) into the folder. Several files of one method are added up. Clear rays alone: grazing groups are left out.
 """
 import json
 import math
@@ -25,14 +25,14 @@ COLOURS = {
 HALF_ULP = 2.0**-24
 
 
-def merged(cells, key):
-    """{key(cell): {upper end: count}} of the position errors."""
+def merged(groups, key):
+    """{key(group): {upper end: count}} of the position errors."""
     tables = {}
-    for cell in cells:
-        table = tables.setdefault(key(cell), {})
-        for upper, count in cell["position"]["histogram"]:
+    for group in groups:
+        table = tables.setdefault(key(group), {})
+        for upper, count in group["position"]["histogram"]:
             table[upper] = table.get(upper, 0) + count
-        largest = cell["position"]["max"]  # null where it is infinite
+        largest = group["position"]["max"]  # null where it is infinite
         table["max"] = max(table.get("max", 0.0), math.inf if largest is None else largest)
     return tables
 
@@ -112,8 +112,8 @@ def draw_lines(path, results, title, x_label, key, x_ticks):
     y = plot.y(HALF_ULP)
     plot.line([(LEFT, y), (WIDTH - RIGHT, y)], "#999999", 1, "2 4")
     labels = []
-    for method, cells in results.items():
-        tables = merged(cells, key)
+    for method, groups in results.items():
+        tables = merged(groups, key)
         colour = COLOURS.get(method, "#444444")
         ends = ((1.0, "max", ""), (0.5, "median", "6 4")) if method == "raytorus" else ((0.99, "p99", ""), (0.5, "median", "6 4"))
         for part, name, dash in ends:
@@ -130,8 +130,8 @@ def draw_lines(path, results, title, x_label, key, x_ticks):
     plot.write(path)
 
 
-def draw_histogram(path, method, cells):
-    table = next(iter(merged(cells, lambda cell: 0).values()))
+def draw_histogram(path, method, groups):
+    table = next(iter(merged(groups, lambda group: 0).values()))
     bins = sorted((upper, count) for upper, count in table.items() if upper != "max" and upper > 1e-10)
     most = max(count for _, count in bins)
     total = sum(count for upper, count in table.items() if upper != "max")
@@ -159,19 +159,19 @@ def main():
     results = {}
     for name in sys.argv[2:]:
         found = json.loads(pathlib.Path(name).read_text(encoding="utf-8"))
-        cells = [cell for cell in found["cells"] if cell["class"] != "grazing"]
-        results.setdefault(found["method"], []).extend(cells)
-    far = {method: [cell for cell in cells if cell["distance"] and cell["class"] == "camera"]
-           for method, cells in results.items()}
+        groups = [group for group in found["groups"] if group["class"] != "grazing"]
+        results.setdefault(found["method"], []).extend(groups)
+    far = {method: [group for group in groups if group["distance"] and group["class"] == "camera"]
+           for method, groups in results.items()}
     draw_lines(folder / "accuracy-distance.svg", far, "Position error against the distance of the camera",
-               "distance of the origin in R", lambda cell: cell["distance"],
+               "distance of the origin in R", lambda group: group["distance"],
                [(1.5, "1.5"), (3.0, "3"), (10.0, "10"), (100.0, "100"), (1e3, power(3)), (1e4, power(4)), (1e6, power(6))])
-    near = {method: [cell for cell in cells if cell["distance"] == 10.0] for method, cells in far.items()}
-    radii = sorted({cell["minorRadius"] for cells in near.values() for cell in cells})
+    near = {method: [group for group in groups if group["distance"] == 10.0] for method, groups in far.items()}
+    radii = sorted({group["minorRadius"] for groups in near.values() for group in groups})
     draw_lines(folder / "accuracy-radius.svg", near, "Position error against the thickness of the torus, 10 R away",
-               "r / R", lambda cell: cell["minorRadius"], [(radius, "" if radius == 1.0 else f"{radius:.3g}") for radius in radii])
-    method, cells = next(iter(results.items()))
-    draw_histogram(folder / "accuracy-histogram.svg", method, cells)
+               "r / R", lambda group: group["minorRadius"], [(radius, "" if radius == 1.0 else f"{radius:.3g}") for radius in radii])
+    method, groups = next(iter(results.items()))
+    draw_histogram(folder / "accuracy-histogram.svg", method, groups)
 
 
 if __name__ == "__main__":

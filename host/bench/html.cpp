@@ -65,7 +65,7 @@ std::string runHtml(const BenchRun& run) {
     }
     page += fmt::format("<h2>All workloads together</h2>\n<pre>{}\n{}\n{}</pre>\n<h2>Each workload</h2>\n",
                         escapeHtml(steadinessText(run)), escapeHtml(summaryText(run)),
-                        escapeHtml(barsText(measureBars(run))));
+                        escapeHtml(aimsText(measureAims(run))));
     for (const CellResult& cell : run.cells) {
         page += fmt::format("<pre>{}</pre>\n", escapeHtml(tableText(cell)));
     }

@@ -123,9 +123,9 @@ ExitCode measure(const BenchOptions& options) {
     options::withDevice(options.device, [&](gpu::Context& context) {
         const BenchRun run = measureAll(context, options);
         print("\n{}\n{}", steadinessText(run), summaryText(run));
-        const std::vector<Bar> bars = measureBars(run);
-        if (!bars.empty()) {
-            print("\n{}", barsText(bars));
+        const std::vector<Aim> aims = measureAims(run);
+        if (!aims.empty()) {
+            print("\n{}", aimsText(aims));
         }
         if (reference) {
             print("\n{}", againstText(*reference, run));

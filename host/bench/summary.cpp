@@ -47,32 +47,32 @@ double wrongPart(const BenchRun& run, const std::string& name) {
     return judged > 0.0 ? wrong / judged : 0.0;
 }
 
-void add(Bar& bar, const CellResult& cell, double ratio) {
+void add(Aim& aim, const CellResult& cell, double ratio) {
     if (ratio <= 0.0) {
         return;
     }
-    bar.measured.push_back(ratio);
-    if (ratio > bar.worst) {
-        bar.worst = ratio;
-        bar.worstWorkload = cell.workload.name();
+    aim.measured.push_back(ratio);
+    if (ratio > aim.worst) {
+        aim.worst = ratio;
+        aim.worstWorkload = cell.workload.name();
     }
 }
 
 // Nearest hits, against one method, in the workloads that `about` picks.
-Bar peerBar(const BenchRun& run, const char* text, double limit, const char* peer,
+Aim peerAim(const BenchRun& run, const char* text, double limit, const char* peer,
             const std::function<bool(const Workload&)>& about) {
-    Bar bar{text, limit, {}, 0.0, ""};
+    Aim aim{text, limit, {}, 0.0, ""};
     for (const CellResult& cell : run.cells) {
         const MethodResult* method = findMethod(cell, peer);
         if (isMade(cell) && cell.query == Query::Nearest && method != nullptr && about(cell.workload)) {
-            add(bar, cell, method->times.ratio);
+            add(aim, cell, method->times.ratio);
         }
     }
-    return bar;
+    return aim;
 }
 
-Bar anyBar(const BenchRun& run) {
-    Bar bar{"raytorus itself: any-hit over nearest", 0.8, {}, 0.0, ""};
+Aim anyAim(const BenchRun& run) {
+    Aim aim{"raytorus itself: any-hit over nearest", 0.8, {}, 0.0, ""};
     for (const CellResult& any : run.cells) {
         const auto nearest = std::ranges::find_if(run.cells, [&any](const CellResult& cell) {
             return cell.query == Query::Nearest && cell.workload.name() == any.workload.name();
@@ -83,10 +83,10 @@ Bar anyBar(const BenchRun& run) {
         const MethodResult* ourAny = findMethod(any, ourName);
         const MethodResult* ourNearest = findMethod(*nearest, ourName);
         if (ourAny != nullptr && ourNearest != nullptr && ourNearest->times.netMinimum > 0.0) {
-            add(bar, any, ourAny->times.netMinimum / ourNearest->times.netMinimum);
+            add(aim, any, ourAny->times.netMinimum / ourNearest->times.netMinimum);
         }
     }
-    return bar;
+    return aim;
 }
 
 }  // namespace
@@ -144,25 +144,25 @@ std::string summaryText(const BenchRun& run) {
     return text + fmt::format("  {:<21} {:>59.3f} %\n", ourName, 100.0 * wrongPart(run, ourName));
 }
 
-std::vector<Bar> measureBars(const BenchRun& run) {
+std::vector<Aim> measureAims(const BenchRun& run) {
     const auto always = [](const Workload&) { return true; };
-    std::vector<Bar> bars = {
-        peerBar(run, "closed-form-common, tiles", 0.7, "closed-form-common",
+    std::vector<Aim> aims = {
+        peerAim(run, "closed-form-common, tiles", 0.7, "closed-form-common",
                 [](const Workload& workload) { return workload.pattern == Pattern::Tiles; }),
-        peerBar(run, "closed-form-common, scattered, 50 %", 0.9, "closed-form-common",
+        peerAim(run, "closed-form-common, scattered, 50 %", 0.9, "closed-form-common",
                 [](const Workload& workload) {
                     return workload.pattern == Pattern::Scattered && workload.hitPercent == 50;
                 }),
-        peerBar(run, "sphere-tracing (to 1e-4 r)", 0.3, "sphere-tracing", always),
-        peerBar(run, "bracketed-newton", 0.5, "bracketed-newton", always),
-        anyBar(run),
-        peerBar(run, "ray-sphere, tiles, 30 %", 3.5, "ray-sphere",
+        peerAim(run, "sphere-tracing (to 1e-4 r)", 0.3, "sphere-tracing", always),
+        peerAim(run, "bracketed-newton", 0.5, "bracketed-newton", always),
+        anyAim(run),
+        peerAim(run, "ray-sphere, tiles, 30 %", 3.5, "ray-sphere",
                 [](const Workload& workload) {
                     return workload.pattern == Pattern::Tiles && workload.hitPercent == 30;
                 }),
     };
-    std::erase_if(bars, [](const Bar& bar) { return bar.measured.empty(); });
-    return bars;
+    std::erase_if(aims, [](const Aim& aim) { return aim.measured.empty(); });
+    return aims;
 }
 
 std::vector<std::string> libraryFaults(const BenchRun& run) {
@@ -182,15 +182,15 @@ std::vector<std::string> libraryFaults(const BenchRun& run) {
     return faults;
 }
 
-std::string barsText(const std::vector<Bar>& bars) {
+std::string aimsText(const std::vector<Aim>& aims) {
     std::string text = fmt::format("{:<40} {:>5} {:>7} {:>7}  {:<9} {}\n", "aim: our time over its", "limit",
                                    "mean", "worst", "held in", "worst at");
-    for (const Bar& bar : bars) {
+    for (const Aim& aim : aims) {
         const auto held =
-            std::ranges::count_if(bar.measured, [&bar](double ratio) { return ratio <= bar.limit; });
-        text += fmt::format("  {:<38} {:>5g} {:>7} {:>7}  {:<9} {}\n", bar.text, bar.limit,
-                            ratioText(geometricMean(bar.measured)), ratioText(bar.worst),
-                            fmt::format("{} of {}", held, bar.measured.size()), bar.worstWorkload);
+            std::ranges::count_if(aim.measured, [&aim](double ratio) { return ratio <= aim.limit; });
+        text += fmt::format("  {:<38} {:>5g} {:>7} {:>7}  {:<9} {}\n", aim.text, aim.limit,
+                            ratioText(geometricMean(aim.measured)), ratioText(aim.worst),
+                            fmt::format("{} of {}", held, aim.measured.size()), aim.worstWorkload);
     }
     return text;
 }

@@ -17,7 +17,7 @@ std::string steadinessText(const BenchRun& run);
 std::string summaryText(const BenchRun& run);
 
 /// What the library aims at: how its time is to compare.
-struct Bar {
+struct Aim {
     std::string text;
     double limit = 0.0;            ///< ours over its, at most
     std::vector<double> measured;  ///< of each cell that it is about
@@ -26,10 +26,10 @@ struct Bar {
 };
 
 /// Those that the run has cells for.
-std::vector<Bar> measureBars(const BenchRun& run);
+std::vector<Aim> measureAims(const BenchRun& run);
 
 /// A row each: the limit, the geometric mean, the worst, and in how many cells it is held.
-std::string barsText(const std::vector<Bar>& bars);
+std::string aimsText(const std::vector<Aim>& aims);
 
 /// A sentence for each cell in which the library was wrong on a ray, or two of its runs differed.
 std::vector<std::string> libraryFaults(const BenchRun& run);

@@ -12,39 +12,40 @@
 #include "options/program.hpp"
 #include "options/progress.hpp"
 #include "verify/replay_text.hpp"
+#include "verify/thresholds.hpp"
 #include "verify/verifier.hpp"
 #include "verify/verify_options.hpp"
 
 namespace raytorus::verify {
 namespace {
 
-std::vector<CellResult> verifyCells(Verifier& verifier, const VerifyOptions& options) {
-    const std::vector<Cell> cells = chooseCells(options.cells);
-    std::vector<CellResult> results;
+std::vector<RayGroupResult> verifyRayGroups(Verifier& verifier, const VerifyOptions& options) {
+    const std::vector<RayGroup> groups = chooseRayGroups(options.groups);
+    std::vector<RayGroupResult> results;
     options::Progress progress("verifying");
-    for (const Cell& cell : cells) {
+    for (const RayGroup& group : groups) {
         const auto show = [&](std::uint64_t done) {
             progress.show((static_cast<double>(results.size()) +
                            static_cast<double>(done) / static_cast<double>(options.rays)) /
-                          static_cast<double>(cells.size()));
+                          static_cast<double>(groups.size()));
         };
-        results.push_back({cell, verifier.verify(cell, options.seed, options.rays, show)});
+        results.push_back({group, verifier.verify(group, options.seed, options.rays, show)});
     }
     return results;
 }
 
-// The faults, first of all those with a replay; then the bars that they break.
-std::vector<std::string> listFaults(const VerifyOptions& options, const std::vector<CellResult>& results,
+// The faults, first of all those with a replay; then the thresholds that they exceed.
+std::vector<std::string> listFaults(const VerifyOptions& options, const std::vector<RayGroupResult>& results,
                                     reference::Tier tier) {
-    std::vector<std::string> broken;
-    for (const CellResult& result : results) {
-        const std::vector<std::string> bars = brokenBars(result.cell, result.statistics, tier);
-        if (bars.empty()) {
+    std::vector<std::string> all;
+    for (const RayGroupResult& result : results) {
+        const std::vector<std::string> exceeded = exceededThresholds(result.group, result.statistics, tier);
+        if (exceeded.empty()) {
             continue;
         }
-        broken.insert(broken.end(), bars.begin(), bars.end());
-        for (const std::string& bar : bars) {
-            print("{}\n", bar);
+        all.insert(all.end(), exceeded.begin(), exceeded.end());
+        for (const std::string& sentence : exceeded) {
+            print("{}\n", sentence);
         }
         for (const Example& example : result.statistics.examples) {
             print("  {}: {}\n", judge::nameOf(example.fault),
@@ -58,7 +59,7 @@ std::vector<std::string> listFaults(const VerifyOptions& options, const std::vec
                                 result.statistics.t.worstRay));
         }
     }
-    return broken;
+    return all;
 }
 
 ExitCode verifyAll(gpu::Context& context, Verifier& verifier, const VerifyOptions& options) {
@@ -67,30 +68,31 @@ ExitCode verifyAll(gpu::Context& context, Verifier& verifier, const VerifyOption
     if (!options.json.empty()) {
         file.emplace(options.json);
     }
-    print("seed {}{}, {} rays a cell, {} ({})\n", options.seed, options.seedOfTheDay ? " (today)" : "",
+    print("seed {}{}, {} rays a group, {} ({})\n", options.seed, options.seedOfTheDay ? " (today)" : "",
           options.rays, context.info().name, context.info().driverInfo);
     flushOutput();
     const auto start = std::chrono::steady_clock::now();
-    const std::vector<CellResult> results = verifyCells(verifier, options);
+    const std::vector<RayGroupResult> results = verifyRayGroups(verifier, options);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     print("{}", tableText(results, options.rows));
-    // Bars are the library's promises; other methods have made none.
+    // Thresholds are the library's promises; other methods have made none.
     const std::optional<reference::Tier> tier = findMethod(options.method)->tier;
-    const std::vector<std::string> broken =
+    const std::vector<std::string> exceeded =
         tier ? listFaults(options, results, *tier) : std::vector<std::string>();
     const auto rays = static_cast<double>(options.rays) * static_cast<double>(results.size());
     print("{:.3g} rays in {:.1f} s: {:.3g} million a minute\n", rays, seconds, 60e-6 * rays / seconds);
     if (file) {
         const Run run{options.method,      options.command(),        options.seed, options.rays, seconds,
                       context.info().name, context.info().driverInfo};
-        file->write(resultsJson(run, results, broken));
+        file->write(resultsJson(run, results, exceeded));
         file->commit();
     }
     if (!tier) {
         return ExitCode::Ok;
     }
-    print("{}\n", broken.empty() ? "every bar is held" : fmt::format("{} bar(s) broken", broken.size()));
-    return broken.empty() ? ExitCode::Ok : ExitCode::ComparisonFailed;
+    print("{}\n", exceeded.empty() ? "every threshold is held"
+                                   : fmt::format("{} threshold(s) exceeded", exceeded.size()));
+    return exceeded.empty() ? ExitCode::Ok : ExitCode::ComparisonFailed;
 }
 
 ExitCode run(const VerifyOptions& options) {

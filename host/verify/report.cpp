@@ -14,23 +14,23 @@ namespace {
 
 using nlohmann::ordered_json;
 
-std::string rowName(const Cell& cell, Rows rows) {
-    std::string name = fmt::format("{:<20}", cell.className());
-    if (rows == Rows::Radius || rows == Rows::Cell) {
-        name += fmt::format(" {:>6g}", cell.minorRadius);
+std::string rowName(const RayGroup& group, Rows rows) {
+    std::string name = fmt::format("{:<20}", group.className());
+    if (rows == Rows::Radius || rows == Rows::Group) {
+        name += fmt::format(" {:>6g}", group.minorRadius);
     }
-    if (rows == Rows::Distance || rows == Rows::Cell) {
-        name += cell.distance > 0.0 ? fmt::format(" {:>7g}", cell.distance) : fmt::format(" {:>7}", "-");
+    if (rows == Rows::Distance || rows == Rows::Group) {
+        name += group.distance > 0.0 ? fmt::format(" {:>7g}", group.distance) : fmt::format(" {:>7}", "-");
     }
     return name;
 }
 
 std::string heading(Rows rows) {
     std::string name = fmt::format("{:<20}", "class");
-    if (rows == Rows::Radius || rows == Rows::Cell) {
+    if (rows == Rows::Radius || rows == Rows::Group) {
         name += fmt::format(" {:>6}", "r/R");
     }
-    if (rows == Rows::Distance || rows == Rows::Cell) {
+    if (rows == Rows::Distance || rows == Rows::Group) {
         name += fmt::format(" {:>7}", "D/R");
     }
     return name +
@@ -76,15 +76,15 @@ ordered_json errorsJson(const Errors& errors) {
     return json;
 }
 
-ordered_json cellJson(const CellResult& result, const std::string& command) {
-    const auto& [cell, statistics] = result;
+ordered_json groupJson(const RayGroupResult& result, const std::string& command) {
+    const auto& [group, statistics] = result;
     ordered_json json;
-    json["class"] = reference::nameOf(cell.rayClass);
+    json["class"] = reference::nameOf(group.rayClass);
     json["majorRadius"] = 1;
-    json["minorRadius"] = cell.minorRadius;
-    json["distance"] = cell.distance > 0.0 ? ordered_json(cell.distance) : ordered_json(nullptr);
-    if (cell.passesByMargin()) {
-        json["margin"] = {cell.margin, cell.marginTo};
+    json["minorRadius"] = group.minorRadius;
+    json["distance"] = group.distance > 0.0 ? ordered_json(group.distance) : ordered_json(nullptr);
+    if (group.passesByMargin()) {
+        json["margin"] = {group.margin, group.marginTo};
     }
     json["rays"] = statistics.rays;
     json["judged"] = statistics.judged();
@@ -111,10 +111,10 @@ std::string replayCommand(const std::string& command, const reference::Torus& to
     return fmt::format("{} --replay \"{}\"", command, reference::hexFloats(torus, ray));
 }
 
-std::string tableText(std::span<const CellResult> results, Rows rows) {
+std::string tableText(std::span<const RayGroupResult> results, Rows rows) {
     std::vector<std::pair<std::string, Statistics>> table;
-    for (const CellResult& result : results) {
-        const std::string name = rowName(result.cell, rows);
+    for (const RayGroupResult& result : results) {
+        const std::string name = rowName(result.group, rows);
         auto row =
             std::find_if(table.begin(), table.end(), [&](const auto& other) { return other.first == name; });
         if (row == table.end()) {
@@ -129,22 +129,22 @@ std::string tableText(std::span<const CellResult> results, Rows rows) {
     return text;
 }
 
-std::string resultsJson(const Run& run, std::span<const CellResult> results,
-                        std::span<const std::string> broken) {
+std::string resultsJson(const Run& run, std::span<const RayGroupResult> results,
+                        std::span<const std::string> exceeded) {
     ordered_json json;
     json["version"] = version();
     json["method"] = run.method;
     json["device"] = run.device;
     json["driver"] = run.driver;
     json["seed"] = run.seed;
-    json["raysPerCell"] = run.raysPerCell;
+    json["raysPerGroup"] = run.raysPerGroup;
     json["seconds"] = run.seconds;
     json["units"] = {
         {"position", "R + r"}, {"surface", "R + r"}, {"t", "ulp of t, or of (R + r) / 16 if longer"}};
-    json["barsBroken"] = broken;
-    json["cells"] = ordered_json::array();
-    for (const CellResult& result : results) {
-        json["cells"].push_back(cellJson(result, run.command));
+    json["thresholdsExceeded"] = exceeded;
+    json["groups"] = ordered_json::array();
+    for (const RayGroupResult& result : results) {
+        json["groups"].push_back(groupJson(result, run.command));
     }
     return dumpJson(json, 1) + "\n";
 }

@@ -19,9 +19,9 @@ Verifier::Verifier(gpu::Context& context, const trace::ShaderSource& shaders, un
     : threads(wantedThreads > 0 ? wantedThreads : std::max(1U, std::thread::hardware_concurrency())),
       queries(context, blockRays, shaders) {}
 
-Statistics Verifier::judgeBlock(const Cell& cell, const std::vector<reference::Ray>& rays,
+Statistics Verifier::judgeBlock(const RayGroup& group, const std::vector<reference::Ray>& rays,
                                 const std::vector<judge::Answers>& answers) const {
-    const reference::Torus torus = cell.torus();
+    const reference::Torus torus = group.torus();
     const double endMargin = judge::clearEndMargin(torus);
     Statistics total;
     std::mutex mutex;
@@ -30,8 +30,8 @@ Statistics Verifier::judgeBlock(const Cell& cell, const std::vector<reference::R
         for (std::size_t i = from; i < to; ++i) {
             const reference::Ray& ray = rays[i];
             judge::Truth truth =
-                cell.needsPreciseTruth() ? judge::preciseTruth(torus, ray) : judge::quickTruth(torus, ray);
-            if (!judge::isClear(truth, cell.tangentMargin(), endMargin)) {
+                group.needsPreciseTruth() ? judge::preciseTruth(torus, ray) : judge::quickTruth(torus, ray);
+            if (!judge::isClear(truth, group.tangentMargin(), endMargin)) {
                 ++part.rays;
                 ++part.unclear;
                 continue;
@@ -49,7 +49,7 @@ Statistics Verifier::judgeBlock(const Cell& cell, const std::vector<reference::R
     return total;
 }
 
-Statistics Verifier::verify(const Cell& cell, std::uint64_t seed, std::uint64_t count,
+Statistics Verifier::verify(const RayGroup& group, std::uint64_t seed, std::uint64_t count,
                             const std::function<void(std::uint64_t)>& progress) {
     Statistics total;
     std::vector<reference::Ray> rays;
@@ -57,10 +57,10 @@ Statistics Verifier::verify(const Cell& cell, std::uint64_t seed, std::uint64_t 
         rays.resize(static_cast<std::size_t>(std::min<std::uint64_t>(blockRays, count - first)));
         inParallel(threads, rays.size(), [&](std::size_t from, std::size_t to) {
             for (std::size_t i = from; i < to; ++i) {
-                rays[i] = cell.ray(seed, first + i);
+                rays[i] = group.ray(seed, first + i);
             }
         });
-        total.merge(judgeBlock(cell, rays, queries.answer(cell.torus(), rays)));
+        total.merge(judgeBlock(group, rays, queries.answer(group.torus(), rays)));
         if (progress) {
             progress(first + rays.size());
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs cells of rays through the real SPIR-V and judges every answer, on all processors.
+// Runs groups of rays through the real SPIR-V and judges every answer, on all processors.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,8 @@
 #include <functional>
 
 #include "judge/queries.hpp"
-#include "verify/cell.hpp"
+#include "verify/ray_group.hpp"
+#include "verify/statistics.hpp"
 
 namespace raytorus::verify {
 
@@ -17,8 +18,8 @@ public:
     /// processors.
     explicit Verifier(gpu::Context& context, const trace::ShaderSource& shaders = {}, unsigned threads = 0);
 
-    /// The rays 0 ... count - 1 of a cell. `progress`, if given, hears how many are done.
-    Statistics verify(const Cell& cell, std::uint64_t seed, std::uint64_t count,
+    /// The rays 0 ... count - 1 of a ray group. `progress`, if given, hears how many are done.
+    Statistics verify(const RayGroup& group, std::uint64_t seed, std::uint64_t count,
                       const std::function<void(std::uint64_t)>& progress = {});
 
     /// One ray, by the arbiter, however near a tangent.
@@ -30,7 +31,7 @@ public:
     Replay replay(const reference::Torus& torus, const reference::Ray& ray);
 
 private:
-    Statistics judgeBlock(const Cell& cell, const std::vector<reference::Ray>& rays,
+    Statistics judgeBlock(const RayGroup& group, const std::vector<reference::Ray>& rays,
                           const std::vector<judge::Answers>& answers) const;
 
     unsigned threads;

@@ -21,11 +21,12 @@ namespace raytorus::verify {
 namespace {
 
 constexpr const char* footer =
-    R"(A cell is a class of rays, a shape of torus and a distance of the origins. All cells are run unless some are chosen.
+    R"(A group of rays is of one class, one shape of torus and one distance of the origins. All groups are run unless some are
+chosen.
 Errors of positions are in R + r, those of t in ulp of t (of (R + r) / 16 if t is shorter than that).
 
-Exit codes: 0 every bar is held, 2 a bar is broken (each is named), others as of raytorus. Bars are what the library
-promises: of other methods the table alone is printed.
+Exit codes: 0 every threshold is held, 2 a threshold is exceeded (each is named), others as of raytorus. Thresholds are
+what the library promises: of other methods the table alone is printed.
 
 Examples:
   raytorus-verify
@@ -53,13 +54,14 @@ reference::RayClass parseClass(const std::string& name) {
 }
 
 Rows parseRows(const std::string& name) {
-    for (const auto& [word, rows] : {std::pair("class", Rows::Class), std::pair("radius", Rows::Radius),
-                                     std::pair("distance", Rows::Distance), std::pair("cell", Rows::Cell)}) {
+    for (const auto& [word, rows] :
+         {std::pair("class", Rows::Class), std::pair("radius", Rows::Radius),
+          std::pair("distance", Rows::Distance), std::pair("group", Rows::Group)}) {
         if (name == word) {
             return rows;
         }
     }
-    throw Error(ExitCode::Usage, fmt::format("--rows is class, radius, distance or cell, not \"{}\"", name));
+    throw Error(ExitCode::Usage, fmt::format("--rows is class, radius, distance or group, not \"{}\"", name));
 }
 
 std::uint64_t parseSeed(const std::string& text) {
@@ -98,20 +100,20 @@ std::optional<VerifyOptions> parseOptions(const std::vector<std::string>& argume
     app.add_option("--class", classes, "Classes of rays: " + classNames())
         ->delimiter(',')
         ->option_text("NAME,...");
-    app.add_option("--radius", options.cells.radii, "Minor radii; the major radius is 1")
+    app.add_option("--radius", options.groups.radii, "Minor radii; the major radius is 1")
         ->delimiter(',')
         ->check(options::decimalNumber(1e-7, 1e4))
         ->option_text("r,...");
-    app.add_option("--distance", options.cells.distances, "Distances of the origins from the centre, in R")
+    app.add_option("--distance", options.groups.distances, "Distances of the origins from the centre, in R")
         ->delimiter(',')
         ->check(options::decimalNumber(1.0, 1e12))
         ->option_text("D,...");
-    app.add_option("--rays", options.rays, "Rays a cell")
+    app.add_option("--rays", options.rays, "Rays a group")
         ->check(options::wholeNumber(1, std::uint64_t{1} << 40U))
         ->option_text("N [20000]");
     app.add_option("--seed", seed, "A whole number, for the same rays again; today: the date")
         ->option_text("N [today]");
-    app.add_option("--rows", rows, "What the table keeps apart: class, radius, distance or cell (both)")
+    app.add_option("--rows", rows, "What the table keeps apart: class, radius, distance or group (both)")
         ->option_text("KEY [radius]");
     options::addMethodOption(app, options.method);
     app.add_option("--json", options.json, "Everything, histograms and worst rays too, into a file")
@@ -128,7 +130,7 @@ std::optional<VerifyOptions> parseOptions(const std::vector<std::string>& argume
         return std::nullopt;
     }
     for (const std::string& name : classes) {
-        options.cells.classes.push_back(parseClass(name));
+        options.groups.classes.push_back(parseClass(name));
     }
     options.shaders = options::shadersOf(options.method, options.device);
     options.rows = rows.empty() ? Rows::Radius : parseRows(rows);

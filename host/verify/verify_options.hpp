@@ -16,8 +16,8 @@ namespace raytorus::verify {
 inline constexpr const char* programName = "raytorus-verify";
 
 struct VerifyOptions {
-    CellChoice cells;
-    std::uint64_t rays = 20000;  ///< a cell
+    RayGroupChoice groups;
+    std::uint64_t rays = 20000;  ///< a ray group
     std::uint64_t seed = 0;
     bool seedOfTheDay = true;
     Rows rows = Rows::Radius;

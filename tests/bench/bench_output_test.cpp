@@ -111,14 +111,14 @@ TEST(BenchTable, MarksWhoIsWrong) {
 TEST(BenchSummary, HoldsTheAimsAgainstTheRatios) {
     BenchRun run = madeUpRun(0.5);
     run.cells[2].methods[2].times.ratio = 2.0;  // scattered, nearest
-    const std::vector<Bar> bars = measureBars(run);
+    const std::vector<Aim> aims = measureAims(run);
     // Of scattered rays with 50 % hits, sphere tracing and Newton there are none.
-    ASSERT_EQ(bars.size(), 3U);
-    EXPECT_EQ(bars[0].measured, std::vector<double>{0.5}) << bars[0].text;
-    EXPECT_EQ(bars[1].measured, (std::vector<double>{0.5, 0.5})) << "any-hit over nearest";
-    EXPECT_EQ(bars[2].measured, std::vector<double>{10.0}) << "the sphere";
-    EXPECT_EQ(bars[2].worstWorkload, "tiles/0.25/near/30");
-    const std::string text = barsText(bars);
+    ASSERT_EQ(aims.size(), 3U);
+    EXPECT_EQ(aims[0].measured, std::vector<double>{0.5}) << aims[0].text;
+    EXPECT_EQ(aims[1].measured, (std::vector<double>{0.5, 0.5})) << "any-hit over nearest";
+    EXPECT_EQ(aims[2].measured, std::vector<double>{10.0}) << "the sphere";
+    EXPECT_EQ(aims[2].worstWorkload, "tiles/0.25/near/30");
+    const std::string text = aimsText(aims);
     EXPECT_NE(text.find("1 of 1"), std::string::npos) << text;
     EXPECT_NE(text.find("2 of 2"), std::string::npos) << text;
     EXPECT_NE(text.find("0 of 1"), std::string::npos) << text;
@@ -152,7 +152,7 @@ TEST(BenchSummary, LeavesStreamsOut) {
     for (CellResult& cell : run.cells) {
         cell.workload.mode = Mode::Streamed;
     }
-    EXPECT_TRUE(measureBars(run).empty());
+    EXPECT_TRUE(measureAims(run).empty());
     EXPECT_EQ(countOf(ratioPlot(run, trace::Query::Nearest), "<circle"), 0U);
 }
 

@@ -26,11 +26,11 @@ cat >\"$json\" <<'END'
  \"version\": \"1.2.3\",
  \"device\": \"A \\\"GPU\\\" / 7\",
  \"driver\": \"D\",
- \"cells\": [
+ \"groups\": [
   {\"class\": \"a  b\"},
   {\"class\": \"b\"}]}
 END
-echo every bar is held")
+echo every threshold is held")
     stub(bin/raytorus "${log}[ \"$1\" != doctor ] || { printf 'line \"one\"\\n\\n  back\\\\\\\\slash\\n'; exit; }
 ${to_json}mkdir \"$report\"
 echo '{\"failed\": 0}' >\"$report/report.json\"
@@ -83,7 +83,7 @@ holds("${json}" "raytorus 1.2.3, commit abc" bundle)
 holds("${json}" "line \"one\"" doctor 0)
 holds("${json}" "" doctor 1)
 holds("${json}" "  back.*slash" doctor 2)
-holds("${json}" "a  b" verify cells 0 class)
+holds("${json}" "a  b" verify groups 0 class)
 holds("${json}" OFF short)
 logged("raytorus-verify --rays 501 --seed 9 --json [^\n]* --device G  7\n" TRUE)
 logged("raytorus golden check --folder ${bundle}/golden --report [^\n]* --tolerance-factor 1 --device G  7\n" TRUE)

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <limits>
 
-#include "verify/cell.hpp"
+#include "verify/ray_group.hpp"
 
 namespace raytorus::judge {
 namespace {
@@ -137,17 +137,17 @@ TEST(Judge, MeasuresTheDistanceFromTheSurface) {
 // The fast truths are what millions of rays are judged by.
 TEST(Truth, IsTheArbitersOnClearRays) {
     std::size_t hits = 0;
-    for (const verify::Cell& cell : verify::chooseCells({})) {
-        const reference::Torus shape = cell.torus();
+    for (const verify::RayGroup& group : verify::chooseRayGroups({})) {
+        const reference::Torus shape = group.torus();
         for (std::uint64_t i = 0; i < 8; ++i) {
-            const reference::Ray drawn = cell.ray(11, i);
+            const reference::Ray drawn = group.ray(11, i);
             const Truth exact = arbiterTruth(shape, drawn);
-            if (!isClear(exact, cell.tangentMargin(), 0.0)) {
+            if (!isClear(exact, group.tangentMargin(), 0.0)) {
                 continue;
             }
-            const bool precise = cell.needsPreciseTruth();
+            const bool precise = group.needsPreciseTruth();
             const Truth fast = precise ? preciseTruth(shape, drawn) : quickTruth(shape, drawn);
-            const double bound = (precise ? 1e-15 : 1e-10) * (1.0 + static_cast<double>(cell.minorRadius));
+            const double bound = (precise ? 1e-15 : 1e-10) * (1.0 + static_cast<double>(group.minorRadius));
             ASSERT_EQ(fast.count, exact.count) << reference::hexFloats(shape, drawn);
             EXPECT_NEAR(fast.clearance, exact.clearance, 1e-9 + 1e-9 * exact.clearance);
             for (std::size_t k = 0; k < static_cast<std::size_t>(exact.count); ++k) {

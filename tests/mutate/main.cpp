@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* footer =
     R"(Each mutation changes the shaders' text in one place; then the golden pictures and the numeric tests are asked.
-Exit codes: 0 the bar is held (the goldens alone catch 95 % of what pictures can show, both together everything),
+Exit codes: 0 the threshold is held (the goldens alone catch 95 % of what pictures can show, both together everything),
 2 it is not, 1 a row of the table does not fit the shaders or the unchanged shaders are caught, others as of raytorus.
 
 Examples:
@@ -54,7 +54,7 @@ std::optional<Options> parseOptions(const std::vector<std::string>& arguments) {
     app.add_option("--jobs", options.run.jobs, "Mutations at a time")
         ->check(options::wholeNumber(1, 256))
         ->option_text("N [processors]");
-    app.add_option("--rays", options.run.rays.perCell, "Rays a cell of the verifier")
+    app.add_option("--rays", options.run.rays.perGroup, "Rays a group of the verifier")
         ->check(options::wholeNumber(1, std::uint64_t{1} << 20U))
         ->option_text("N [500]");
     app.add_option("--seed", options.run.rays.seed, "Of those rays")
@@ -125,8 +125,8 @@ ExitCode runAll(Options options, const std::vector<Mutation>& mutations) {
     print("in {:.0f} s\n", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     writeText(options.json, outcomesJson(outcomes));
     writeText(options.markdown, outcomesMarkdown(outcomes));
-    const bool held = totals.barHeld();
-    print("{}\n", held ? "the bar is held" : "the bar is missed");
+    const bool held = totals.thresholdHeld();
+    print("{}\n", held ? "the threshold is held" : "the threshold is missed");
     return held ? ExitCode::Ok : ExitCode::ComparisonFailed;
 }
 

@@ -29,7 +29,7 @@ RunOptions optionsOfTest() {
     RunOptions options;
     options.folder = test::scratchFolder();
     options.device.validate = true;
-    options.rays.perCell = 50;
+    options.rays.perGroup = 50;
     return options;
 }
 
@@ -112,16 +112,16 @@ Outcome outcome(Shows shows, bool goldens, bool numbers) {
     return result;
 }
 
-TEST(MutationBar, IsHeldFrom95PercentByGoldensAndAllByBoth) {
+TEST(MutationThreshold, IsHeldFrom95PercentByGoldensAndAllByBoth) {
     std::vector<Outcome> outcomes(19, outcome(Shows::InPictures, true, false));
     outcomes.push_back(outcome(Shows::InPictures, false, true));
     outcomes.push_back(outcome(Shows::InNumbers, false, true));
-    EXPECT_TRUE(totalsOf(outcomes).barHeld());
+    EXPECT_TRUE(totalsOf(outcomes).thresholdHeld());
     outcomes.front() = outcome(Shows::InPictures, false, true);
-    EXPECT_FALSE(totalsOf(outcomes).barHeld()) << "18 of 20 by goldens";
+    EXPECT_FALSE(totalsOf(outcomes).thresholdHeld()) << "18 of 20 by goldens";
     outcomes.front() = outcome(Shows::InPictures, true, false);
     outcomes.push_back(outcome(Shows::InNumbers, false, false));
-    EXPECT_FALSE(totalsOf(outcomes).barHeld()) << "one survives";
+    EXPECT_FALSE(totalsOf(outcomes).thresholdHeld()) << "one survives";
     EXPECT_TRUE(rowText(outcomes.back()).ends_with("SURVIVED\n")) << rowText(outcomes.back());
     EXPECT_EQ(nlohmann::json::parse(outcomesJson(outcomes)).at("totals").at("caught"), 21);
 }
@@ -137,10 +137,10 @@ TEST(ProgramMutate, AnswersAsDocumented) {
               "raytorus-mutate: no mutation is called \"nothing\" (see raytorus-mutate --list)\n");
     const test::ProgramResult found = run({"--only", "fragment-next-pixel"});
     EXPECT_EQ(found.exitCode, 0) << testing::PrintToString(found);
-    EXPECT_TRUE(found.out.ends_with("the bar is held\n")) << found.out;
+    EXPECT_TRUE(found.out.ends_with("the threshold is held\n")) << found.out;
     const test::ProgramResult missed = run({"--only", "far-move-rounded", "--rays", "1"});
-    EXPECT_EQ(missed.exitCode, static_cast<int>(ExitCode::ComparisonFailed)) << "one ray a cell is too few";
-    EXPECT_TRUE(missed.out.ends_with("the bar is missed\n")) << missed.out;
+    EXPECT_EQ(missed.exitCode, static_cast<int>(ExitCode::ComparisonFailed)) << "one ray a group is too few";
+    EXPECT_TRUE(missed.out.ends_with("the threshold is missed\n")) << missed.out;
 }
 
 }  // namespace

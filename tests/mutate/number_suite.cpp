@@ -12,6 +12,7 @@
 #include "support/picture_checks.hpp"
 #include "support/special_lines.hpp"
 #include "support/surface_checks.hpp"
+#include "verify/thresholds.hpp"
 #include "verify/verifier.hpp"
 
 namespace raytorus::mutate {
@@ -68,41 +69,41 @@ std::optional<std::string> caughtBySurface(gpu::Context& context, const trace::S
 }
 
 // Every class on very thin, ordinary, fat and spindle tori, from near and far.
-std::vector<verify::Cell> cells() {
-    verify::CellChoice choice;
+std::vector<verify::RayGroup> groups() {
+    verify::RayGroupChoice choice;
     choice.radii = {0.001F, 0.01F, 0.25F, 0.9F, 1.0F, 1.5F};
     choice.distances = {3.0, 100.0};
-    std::vector<verify::Cell> cells = verify::chooseCells(choice);
+    std::vector<verify::RayGroup> groups = verify::chooseRayGroups(choice);
     // Tubes as thin as the rounding of their place.
-    cells.push_back({reference::RayClass::camera, 1e-7F, 3.0});
-    cells.push_back({reference::RayClass::topCircle, 1e-7F, 3.0, 1e-5, 1e-4});
-    cells.push_back({reference::RayClass::dimpleCone, 1.5F, 10.0, 1e-6, 1e-5});
+    groups.push_back({reference::RayClass::camera, 1e-7F, 3.0});
+    groups.push_back({reference::RayClass::topCircle, 1e-7F, 3.0, 1e-5, 1e-4});
+    groups.push_back({reference::RayClass::dimpleCone, 1.5F, 10.0, 1e-6, 1e-5});
     for (const float radius : {0.01F, 0.5F}) {
-        cells.push_back({reference::RayClass::camera, radius, 1e4});
-        cells.push_back({reference::RayClass::camera, radius, 1e6});
+        groups.push_back({reference::RayClass::camera, radius, 1e4});
+        groups.push_back({reference::RayClass::camera, radius, 1e6});
     }
     // Where the moment of an origin is rounded by as much as the torus is long.
-    cells.push_back({reference::RayClass::equatorial, 0.9F, 1e8});
-    cells.push_back({reference::RayClass::segment, 0.9F, 1e8});
-    return cells;
+    groups.push_back({reference::RayClass::equatorial, 0.9F, 1e8});
+    groups.push_back({reference::RayClass::segment, 0.9F, 1e8});
+    return groups;
 }
 
 std::optional<std::string> caughtByRays(gpu::Context& context, const trace::ShaderSource& shaders,
                                         const RayChoice& rays, reference::Tier tier) {
     verify::Verifier verifier(context, shaders, 1);  // mutants already run side by side
-    for (const verify::Cell& cell : cells()) {
-        if (tier == reference::Tier::Fast && cell.distance > 1000.0) {
+    for (const verify::RayGroup& group : groups()) {
+        if (tier == reference::Tier::Fast && group.distance > 1000.0) {
             continue;  // the fast tier promises little there
         }
         // Where some rays may be wrong, many show that no more are; and the hundredth part of many is many.
-        const bool many = cell.rayClass == reference::RayClass::dimpleCone ||
-                          (cell.passesByMargin() && cell.minorRadius < 1e-5F) ||
-                          (tier == reference::Tier::Fast && cell.rayClass == reference::RayClass::inside);
-        const std::uint64_t count = rays.perCell * (many ? 40 : 1);
-        const std::vector<std::string> broken =
-            verify::brokenBars(cell, verifier.verify(cell, rays.seed, count), tier);
-        if (!broken.empty()) {
-            return broken.front();
+        const bool many = group.rayClass == reference::RayClass::dimpleCone ||
+                          (group.passesByMargin() && group.minorRadius < 1e-5F) ||
+                          (tier == reference::Tier::Fast && group.rayClass == reference::RayClass::inside);
+        const std::uint64_t count = rays.perGroup * (many ? 40 : 1);
+        const std::vector<std::string> exceeded =
+            verify::exceededThresholds(group, verifier.verify(group, rays.seed, count), tier);
+        if (!exceeded.empty()) {
+            return exceeded.front();
         }
     }
     return std::nullopt;

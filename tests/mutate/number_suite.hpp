@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The numeric tests as judges of changed shaders: the contract's checks, the surface functions' checks, and
-// the verifier's bars of both tiers on rays of every class.
+// the verifier's thresholds of both tiers on rays of every class.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace raytorus::mutate {
 
 struct RayChoice {
     std::uint64_t seed = 1;
-    std::uint64_t perCell = 500;
+    std::uint64_t perGroup = 500;
 };
 
 /// Without a mutant's change in trace.comp (with TORUS_FAST: fastRays), probe.comp or scene.frag the checks

@@ -109,7 +109,7 @@ std::string outcomesJson(std::span<const Outcome> outcomes) {
                                            {"inPictures", totals.inPictures},
                                            {"caughtByGoldens", totals.caughtByGoldens},
                                            {"caughtByBits", totals.caughtByBits}}},
-                                         {"barHeld", totals.barHeld()}};
+                                         {"thresholdHeld", totals.thresholdHeld()}};
     return dumpJson(json) + "\n";
 }
 

@@ -31,10 +31,12 @@ struct Totals {
     int caughtByNumbers = 0;
     int inPictures = 0;  ///< mutations that pictures can show
     int caughtByGoldens = 0;
-    int caughtByBits = 0;  ///< of those in pictures; told, not counted for the bar
+    int caughtByBits = 0;  ///< of those in pictures; told, not counted for the threshold
 
-    /// The bar: the goldens alone catch 95 of 100 that they can, and nothing survives both suites.
-    [[nodiscard]] bool barHeld() const { return caught == all && 100 * caughtByGoldens >= 95 * inPictures; }
+    /// The threshold: the goldens alone catch 95 of 100 that they can, and nothing survives both suites.
+    [[nodiscard]] bool thresholdHeld() const {
+        return caught == all && 100 * caughtByGoldens >= 95 * inPictures;
+    }
 };
 
 Totals totalsOf(std::span<const Outcome> outcomes);

@@ -10,14 +10,14 @@
 
 #include "torus_cxx.hpp"
 #include "trace/trace_ray.hpp"
-#include "verify/cell.hpp"
+#include "verify/ray_group.hpp"
 
 namespace raytorus {
 namespace {
 
 using test::Arithmetic;
 
-constexpr std::uint64_t raysPerCell = 200;
+constexpr std::uint64_t raysPerGroup = 200;
 
 struct Loose {
     const char* name;
@@ -31,12 +31,13 @@ void PrintTo(const Loose& loose, std::ostream* out) {
     *out << loose.name;
 }
 
-std::vector<verify::Cell> clearCells() {
-    std::vector<verify::Cell> cells = verify::chooseCells({});
+std::vector<verify::RayGroup> clearRayGroups() {
+    std::vector<verify::RayGroup> groups = verify::chooseRayGroups({});
     // Loose arithmetic is too coarse for hair-thin tubes.
-    std::erase_if(cells,
-                  [](const verify::Cell& cell) { return cell.passesByMargin() || cell.minorRadius < 1e-3F; });
-    return cells;
+    std::erase_if(groups, [](const verify::RayGroup& group) {
+        return group.passesByMargin() || group.minorRadius < 1e-3F;
+    });
+    return groups;
 }
 
 class LooseArithmetic : public testing::TestWithParam<Loose> {};
@@ -44,19 +45,19 @@ class LooseArithmetic : public testing::TestWithParam<Loose> {};
 TEST_P(LooseArithmetic, ClearRaysAreRight) {
     test::setArithmetic(GetParam().arithmetic);
     verify::Statistics total;
-    for (const verify::Cell& cell : clearCells()) {
-        const reference::Torus torus = cell.torus();
-        for (std::uint64_t i = 0; i < raysPerCell; ++i) {
-            const reference::Ray ray = cell.ray(4711, i);
+    for (const verify::RayGroup& group : clearRayGroups()) {
+        const reference::Torus torus = group.torus();
+        for (std::uint64_t i = 0; i < raysPerGroup; ++i) {
+            const reference::Ray ray = group.ray(4711, i);
             const judge::Truth truth = judge::quickTruth(torus, ray);
-            if (!judge::isClear(truth, cell.tangentMargin(),
+            if (!judge::isClear(truth, group.tangentMargin(),
                                 GetParam().endMargin * judge::clearEndMargin(torus))) {
                 continue;
             }
             const trace::TraceRay traced = trace::asTraceRay(ray);
-            const judge::Answers answers{test::looseNearest(1.0F, cell.minorRadius, traced),
-                                         test::looseAll(1.0F, cell.minorRadius, traced),
-                                         test::looseAny(1.0F, cell.minorRadius, traced)};
+            const judge::Answers answers{test::looseNearest(1.0F, group.minorRadius, traced),
+                                         test::looseAll(1.0F, group.minorRadius, traced),
+                                         test::looseAny(1.0F, group.minorRadius, traced)};
             const judge::Judgement judgement = judge::judge(torus, ray, truth, answers);
             total.add(torus, ray, truth.count > 0, judgement);
         }
@@ -92,10 +93,10 @@ INSTANTIATE_TEST_SUITE_P(
 // The loose float without its looseness is a float: what the tests above show is the looseness.
 TEST(LooseArithmetic, IsExactWhenToldToBe) {
     test::setArithmetic({});
-    for (const verify::Cell& cell : clearCells()) {
-        const trace::TraceRay ray = trace::asTraceRay(cell.ray(815, 0));
-        const trace::AllHits loose = test::looseAll(1.0F, cell.minorRadius, ray);
-        const trace::AllHits exact = test::cxxAll(1.0F, cell.minorRadius, ray);
+    for (const verify::RayGroup& group : clearRayGroups()) {
+        const trace::TraceRay ray = trace::asTraceRay(group.ray(815, 0));
+        const trace::AllHits loose = test::looseAll(1.0F, group.minorRadius, ray);
+        const trace::AllHits exact = test::cxxAll(1.0F, group.minorRadius, ray);
         EXPECT_EQ(std::memcmp(&loose, &exact, sizeof(loose)), 0);
     }
 }

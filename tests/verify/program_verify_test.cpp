@@ -43,7 +43,7 @@ TEST_F(ProgramVerify, HoldsEveryBarOnFreshRays) {
     EXPECT_EQ(result.exitCode, 0) << testing::PrintToString(result);
     EXPECT_EQ(result.err, "");
     EXPECT_TRUE(result.out.starts_with("seed 20")) << result.out;
-    EXPECT_TRUE(result.out.ends_with("every bar is held\n")) << result.out;
+    EXPECT_TRUE(result.out.ends_with("every threshold is held\n")) << result.out;
 }
 
 TEST_F(ProgramVerify, PrintsARowForWhatItIsToldToKeepApart) {
@@ -61,7 +61,7 @@ TEST_F(ProgramVerify, PrintsARowForWhatItIsToldToKeepApart) {
     EXPECT_EQ(rows("class"), 2U);
     EXPECT_EQ(rows("radius"), 4U);
     EXPECT_EQ(rows("distance"), 4U) << "inside has no distance";
-    EXPECT_EQ(rows("cell"), 8U);
+    EXPECT_EQ(rows("group"), 8U);
 }
 
 TEST_F(ProgramVerify, WritesWhatItFoundAsJson) {
@@ -71,18 +71,18 @@ TEST_F(ProgramVerify, WritesWhatItFoundAsJson) {
     const json found = json::parse(fileText(folder / "found.json"));
     EXPECT_EQ(found.at("seed"), 9);
     EXPECT_EQ(found.at("method"), "raytorus");
-    EXPECT_TRUE(found.at("barsBroken").empty());
-    ASSERT_EQ(found.at("cells").size(), 7U + 8U);
-    for (const json& cell : found.at("cells")) {
-        EXPECT_EQ(cell.at("rays"), 300);
-        EXPECT_EQ(cell.at("faults").at("missed"), 0);
+    EXPECT_TRUE(found.at("thresholdsExceeded").empty());
+    ASSERT_EQ(found.at("groups").size(), 7U + 8U);
+    for (const json& group : found.at("groups")) {
+        EXPECT_EQ(group.at("rays"), 300);
+        EXPECT_EQ(group.at("faults").at("missed"), 0);
         std::uint64_t counted = 0;
-        for (const json& bin : cell.at("position").at("histogram")) {
+        for (const json& bin : group.at("position").at("histogram")) {
             counted += bin.at(1).get<std::uint64_t>();
         }
-        EXPECT_EQ(counted, cell.at("position").at("count"));
+        EXPECT_EQ(counted, group.at("position").at("count"));
         EXPECT_GT(counted, 0U);
-        EXPECT_GE(cell.at("position").at("max"), cell.at("position").at("p99"));
+        EXPECT_GE(group.at("position").at("max"), group.at("position").at("p99"));
     }
 }
 
@@ -91,7 +91,7 @@ TEST_F(ProgramVerify, DrawsTheSameRaysForTheSameSeed) {
         EXPECT_EQ(
             run({"--class", "camera", "--rays", "100", "--seed", seed, "--json", "found.json"}).exitCode, 0);
         const json found = json::parse(fileText(folder / "found.json"));
-        return found.at("cells").at(0).at("t").at("worst").get<std::string>();
+        return found.at("groups").at(0).at("t").at("worst").get<std::string>();
     };
     const std::string first = worst("31");
     EXPECT_EQ(worst("31"), first);
@@ -106,7 +106,7 @@ TEST_F(ProgramVerify, SeesEveryKindOfFault) {
         << testing::PrintToString(result);
     EXPECT_NE(result.out.find("camera r/R 0.5 D/R 3: "), std::string::npos) << result.out;
     EXPECT_NE(result.out.find(" of 1"), std::string::npos) << result.out;
-    const json faults = json::parse(fileText(folder / "found.json")).at("cells").at(0).at("faults");
+    const json faults = json::parse(fileText(folder / "found.json")).at("groups").at(0).at("faults");
     EXPECT_EQ(faults.size(), 7U);
     for (const auto& [name, count] : faults.items()) {
         EXPECT_GT(count, 10) << name;
@@ -120,7 +120,7 @@ TEST_F(ProgramVerify, ReplaysWhatItFaulted) {
         run({"--class", "camera", "--radius", "0.5", "--distance", "3", "--rays", "300", "--shaders",
              defective, "--device", "llvmpipe (LLVM", "--timeout", "60", "--json", "found.json"});
     const auto replays = matchesIn(all.out, R"re(  (\S+): (raytorus-verify .* --replay "([^"]*)"))re");
-    const json examples = json::parse(fileText(folder / "found.json")).at("cells").at(0).at("examples");
+    const json examples = json::parse(fileText(folder / "found.json")).at("groups").at(0).at("examples");
     EXPECT_EQ(examples.at(0).at("replay"), replays.at(0)[2]);
     for (const PatternMatch& replay : replays) {
         // Without the shaders, the ray is judged right.
@@ -152,7 +152,7 @@ TEST_F(ProgramVerify, ExplainsWrongArguments) {
         "--class: there is no class \"cameras\" (there are camera inside hole equatorial axisParallel "
         "throughAxis throughCentre leaving axisAligned nonUnit grazing segment topCircle dimpleCone "
         "hornTip)");
-    expectUsageError({"--rows", "rows"}, "--rows is class, radius, distance or cell, not \"rows\"");
+    expectUsageError({"--rows", "rows"}, "--rows is class, radius, distance or group, not \"rows\"");
     expectUsageError({"--seed", "-1"}, "--seed is a whole number below 2^64, or today, not \"-1\"");
     expectUsageError({"--radius", "0"},
                      "--radius: \"0\" is no number from 1e-07 to 10000 (see raytorus-verify --help)");

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
-// What is verified: cells of rays of one class, one shape of torus and one distance.
+// What is verified: groups of rays of one class, one shape of torus and one distance.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "reference/promise.hpp"
+#include "judge/judge.hpp"
 #include "reference/rays.hpp"
-#include "verify/statistics.hpp"
 
 namespace raytorus::verify {
 
-struct Cell {
+struct RayGroup {
     reference::RayClass rayClass = reference::RayClass::camera;
     float minorRadius = 0.25F;  ///< the major radius is 1
     double distance = 3.0;      ///< of origins from the centre, in R; 0 for a class that has none of its own
@@ -30,28 +29,13 @@ struct Cell {
     [[nodiscard]] std::string className() const;
 };
 
-struct CellChoice {
+struct RayGroupChoice {
     std::vector<reference::RayClass> classes;  ///< empty: all
     std::vector<float> radii;                  ///< empty: 1e-7 to 1e-3 by tens, .01 .05 .1 .25 .5 .9 1 1.5
     std::vector<double> distances;             ///< empty: 1.5 3 10 100 1e3 1e4 1e6; grazing to 100
 };
 
 /// Every combination that exists. Classes that start at the torus have one distance, none.
-std::vector<Cell> chooseCells(const CellChoice& choice);
-
-/// What is allowed of a cell. Of grazing rays a few may be wrong, and their hits off without bound.
-struct Bar {
-    double wrongPart = 0.0;  ///< faults, as a part of the judged rays
-    double positionMax = 0.0;
-    double positionP99 = 0.0;
-    double surfaceMax = 0.0;
-    double tP99 = 0.0;
-    double tMax = 0.0;
-};
-Bar barOf(const Cell& cell, reference::Tier tier = reference::Tier::Exact);
-
-/// One sentence for each bar that a cell breaks.
-std::vector<std::string> brokenBars(const Cell& cell, const Statistics& statistics,
-                                    reference::Tier tier = reference::Tier::Exact);
+std::vector<RayGroup> chooseRayGroups(const RayGroupChoice& choice);
 
 }  // namespace raytorus::verify
