@@ -55,7 +55,7 @@ std::vector<Change> compareWith(const ReferenceTable& reference, const BenchRun&
             }
             const ReferenceRow& then = *found->second;
             // Of the others, many are wrong on a ray in 10 000: with other rays, once more or once less.
-            const bool becameWrong = method.name == ourName && then.wrong == 0 && !method.verdicts.right();
+            const bool becameWrong = method.name == ourName && then.wrong == 0 && !method.correctness.right();
             const bool comparable = method.name != ourName && then.ratio > 0.0 && now.ratio > 0.0;
             if (!comparable && !becameWrong) {
                 continue;

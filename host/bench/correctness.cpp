@@ -29,34 +29,34 @@ double distanceBetween(std::span<const float> position, const reference::Vec3<do
                       double{position[2]} - exact[2]);
 }
 
-Judged judgeNearest(const judge::Truth& truth, std::span<const float> answer) {
+Judged judgeNearest(const judge::ExactHits& exact, std::span<const float> answer) {
     const bool hit = answer[0] != 0.0F;
-    if (hit != (truth.count > 0) || (hit && !std::isfinite(answer[1]))) {
+    if (hit != (exact.count > 0) || (hit && !std::isfinite(answer[1]))) {
         return {true, 0.0};
     }
-    return {false, hit ? distanceBetween(answer.subspan(2, 3), truth.hits[0].position) : 0.0};
+    return {false, hit ? distanceBetween(answer.subspan(2, 3), exact.hits[0].position) : 0.0};
 }
 
-Judged judgeAll(const judge::Truth& truth, std::span<const float> answer) {
-    if (answer[0] != static_cast<float>(truth.count)) {
+Judged judgeAll(const judge::ExactHits& exact, std::span<const float> answer) {
+    if (answer[0] != static_cast<float>(exact.count)) {
         return {true, 0.0};
     }
     Judged judged;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(truth.count); ++k) {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(exact.count); ++k) {
         const bool ascending = k == 0 || answer[k] <= answer[1 + k];
         judged.wrong = judged.wrong || !ascending || !std::isfinite(answer[1 + k]);
-        const double off = distanceBetween(answer.subspan(5 + 3 * k, 3), truth.hits[k].position);
+        const double off = distanceBetween(answer.subspan(5 + 3 * k, 3), exact.hits[k].position);
         // A NaN is larger than anything, and stays.
         judged.off = off <= judged.off || std::isnan(judged.off) ? judged.off : off;
     }
     return judged;
 }
 
-Judged judgeOne(Query query, const judge::Truth& truth, std::span<const float> answer) {
+Judged judgeOne(Query query, const judge::ExactHits& exact, std::span<const float> answer) {
     if (query == Query::Any) {
-        return {(answer[0] != 0.0F) != (truth.count > 0), 0.0};
+        return {(answer[0] != 0.0F) != (exact.count > 0), 0.0};
     }
-    return query == Query::Nearest ? judgeNearest(truth, answer) : judgeAll(truth, answer);
+    return query == Query::Nearest ? judgeNearest(exact, answer) : judgeAll(exact, answer);
 }
 
 bool isGross(const reference::Torus& torus, const Judged& judged) {
@@ -65,8 +65,8 @@ bool isGross(const reference::Torus& torus, const Judged& judged) {
 
 }  // namespace
 
-Truths::Truths(const reference::Torus& wantedTorus, std::vector<trace::TraceRay> wantedRays,
-               unsigned wantedThreads)
+ReferenceHits::ReferenceHits(const reference::Torus& wantedTorus, std::vector<trace::TraceRay> wantedRays,
+                             unsigned wantedThreads)
     : torus(wantedTorus),
       rays(std::move(wantedRays)),
       threads(wantedThreads > 0 ? wantedThreads : std::max(1U, std::thread::hardware_concurrency())),
@@ -74,26 +74,26 @@ Truths::Truths(const reference::Torus& wantedTorus, std::vector<trace::TraceRay>
     const double endMargin = judge::clearEndMargin(torus);
     inParallel(threads, rays.size(), [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
-            entries[i].truth = judge::quickTruth(torus, trace::asReferenceRay(rays[i]));
-            entries[i].clear = judge::isClear(entries[i].truth, judge::clearMargin, endMargin);
+            entries[i].exact = judge::quickHits(torus, trace::asReferenceRay(rays[i]));
+            entries[i].clear = judge::isClear(entries[i].exact, judge::clearMargin, endMargin);
         }
     });
 }
 
-double Truths::hitPart() const {
+double ReferenceHits::hitPart() const {
     const auto hits =
-        std::ranges::count_if(entries, [](const Entry& entry) { return entry.truth.count > 0; });
+        std::ranges::count_if(entries, [](const Entry& entry) { return entry.exact.count > 0; });
     return static_cast<double>(hits) / static_cast<double>(entries.size());
 }
 
-Verdicts Truths::judge(Query query, std::span<const float> answers) {
+Correctness ReferenceHits::judge(Query query, std::span<const float> answers) {
     const std::size_t floats = answerFloats(query);
     const double size = double{torus.majorRadius} + double{torus.minorRadius};
-    Verdicts total;
+    Correctness total;
     judge::Histogram errors;
     std::mutex mutex;
     inParallel(threads, entries.size(), [&](std::size_t from, std::size_t to) {
-        Verdicts part;
+        Correctness part;
         judge::Histogram partErrors;
         for (std::size_t i = from; i < to; ++i) {
             Entry& entry = entries[i];
@@ -101,16 +101,16 @@ Verdicts Truths::judge(Query query, std::span<const float> answers) {
                 continue;
             }
             const std::span<const float> answer = answers.subspan(i * floats, floats);
-            Judged judged = judgeOne(query, entry.truth, answer);
+            Judged judged = judgeOne(query, entry.exact, answer);
             if (!entry.precise && (judged.wrong || isGross(torus, judged))) {
-                entry.truth = judge::preciseTruth(torus, trace::asReferenceRay(rays[i]));
+                entry.exact = judge::preciseHits(torus, trace::asReferenceRay(rays[i]));
                 entry.precise = true;
-                judged = judgeOne(query, entry.truth, answer);
+                judged = judgeOne(query, entry.exact, answer);
             }
             ++part.judged;
             part.wrong += judged.wrong ? 1U : 0U;
             part.gross += !judged.wrong && isGross(torus, judged) ? 1U : 0U;
-            if (!judged.wrong && entry.truth.count > 0 && query != Query::Any) {
+            if (!judged.wrong && entry.exact.count > 0 && query != Query::Any) {
                 partErrors.add(judged.off / size);
             }
         }
@@ -124,10 +124,10 @@ Verdicts Truths::judge(Query query, std::span<const float> answers) {
     return total;
 }
 
-View aimedView(Kernel& kernel, const Workload& workload, std::uint64_t seed) {
+RayView aimedView(Kernel& kernel, const Workload& workload, std::uint64_t seed) {
     // An odd stride, so that every column of the picture is looked at.
     const std::size_t stride = kernel.rayCount() / aimingRays | 1U;
-    return aim(workload, kernel.pixels(), seed, [&](const View& tried) {
+    return aim(workload, kernel.pixels(), seed, [&](const RayView& tried) {
         return hitPartOf(workload.torus(), kernel.rays(workload.pattern, tried), stride);
     });
 }
@@ -139,7 +139,7 @@ double hitPartOf(const reference::Torus& torus, std::span<const trace::TraceRay>
     inParallel(threads, looked, [&](std::size_t from, std::size_t to) {
         std::size_t some = 0;
         for (std::size_t i = from; i < to; ++i) {
-            some += judge::quickTruth(torus, trace::asReferenceRay(rays[i * stride])).count > 0 ? 1U : 0U;
+            some += judge::quickHits(torus, trace::asReferenceRay(rays[i * stride])).count > 0 ? 1U : 0U;
         }
         hits += some;
     });

@@ -13,7 +13,7 @@
 
 namespace raytorus::bench {
 
-struct Verdicts {
+struct Correctness {
     std::size_t judged = 0;    ///< rays that are clear: see judge::isClear
     std::size_t wrong = 0;     ///< of these: hit or miss wrong, or for all hits their number or their order
     std::size_t gross = 0;     ///< of the rest: a position off by more than 0.01 r
@@ -22,22 +22,22 @@ struct Verdicts {
     [[nodiscard]] bool right() const { return wrong == 0 && gross == 0; }
 };
 
-/// The truth of the rays of a workload. Made once; every method is held to it.
-class Truths {
+/// The exact hits of a workload's rays. Made once; every method is held to it.
+class ReferenceHits {
 public:
     /// `threads` of 0: as many as there are processors.
-    Truths(const reference::Torus& torus, std::vector<trace::TraceRay> rays, unsigned threads = 0);
+    ReferenceHits(const reference::Torus& torus, std::vector<trace::TraceRay> rays, unsigned threads = 0);
 
     /// The part of the rays that hit, 0 to 1.
     [[nodiscard]] double hitPart() const;
 
-    /// `answers`: as Kernel::answers has them. Whoever differs from a truth in doubles makes that ray's truth
+    /// `answers`: as Kernel::answers has them. Whoever differs from hits in doubles makes that ray's hits
     /// be found again in 104 bits, and counts as wrong only if it differs from that too.
-    Verdicts judge(trace::Query query, std::span<const float> answers);
+    Correctness judge(trace::Query query, std::span<const float> answers);
 
 private:
     struct Entry {
-        judge::Truth truth;
+        judge::ExactHits exact;
         bool clear = false;
         bool precise = false;
     };
@@ -52,6 +52,6 @@ private:
 double hitPartOf(const reference::Torus& torus, std::span<const trace::TraceRay> rays, std::size_t stride);
 
 /// Where the workload's rays are seen from, so that the part of them that it wants hits.
-View aimedView(Kernel& kernel, const Workload& workload, std::uint64_t seed);
+RayView aimedView(Kernel& kernel, const Workload& workload, std::uint64_t seed);
 
 }  // namespace raytorus::bench

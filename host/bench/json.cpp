@@ -46,10 +46,10 @@ ordered_json methodJson(const MethodResult& method) {
     out["ratio"] = rounded(times.ratio);
     out["quartiles"] = {rounded(times.lowerQuartile), rounded(times.middleRatio),
                         rounded(times.upperQuartile)};
-    out["judged"] = method.verdicts.judged;
-    out["wrong"] = method.verdicts.wrong;
-    out["gross"] = method.verdicts.gross;
-    out["p99"] = rounded(method.verdicts.positionP99);
+    out["judged"] = method.correctness.judged;
+    out["wrong"] = method.correctness.wrong;
+    out["gross"] = method.correctness.gross;
+    out["p99"] = rounded(method.correctness.positionP99);
     out["layers"] = method.layers;
     out["checksumHeld"] = method.checksumHeld;
     return out;

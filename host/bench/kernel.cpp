@@ -13,7 +13,7 @@
 namespace raytorus::bench {
 namespace {
 
-static_assert(sizeof(View) == 76, "the push constants of bench_rays.glsl");
+static_assert(sizeof(RayView) == 76, "the push constants of bench_rays.glsl");
 
 }  // namespace
 
@@ -61,7 +61,7 @@ gpu::Pipeline& Kernel::pipeline(const TimedMethod& method, trace::Query query, P
     }
     gpu::PipelineLayoutInfo info;
     info.bindings = {{BENCH_BINDING_WORDS, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}};
-    info.pushConstantBytes = sizeof(View);
+    info.pushConstantBytes = sizeof(RayView);
     info.specialization = {queryConstant(query), pattern == Pattern::Scattered ? 1U : 0U, task};
     const gpu::ShaderModule shader(*context, method.shaders.load("bench.comp"),
                                    "bench.comp of " + method.name);
@@ -75,7 +75,7 @@ void Kernel::reserve(std::size_t words) {
     }
 }
 
-double Kernel::run(gpu::Pipeline& chosen, const View& view, std::uint32_t layers) {
+double Kernel::run(gpu::Pipeline& chosen, const RayView& view, std::uint32_t layers) {
     chosen.bind(BENCH_BINDING_WORDS, output);
     return stopwatch.submit([&](VkCommandBuffer commands) {
         chosen.use(commands, std::as_bytes(std::span(&view, 1)));
@@ -84,7 +84,7 @@ double Kernel::run(gpu::Pipeline& chosen, const View& view, std::uint32_t layers
     });
 }
 
-std::vector<trace::TraceRay> Kernel::rays(Pattern pattern, const View& view) {
+std::vector<trace::TraceRay> Kernel::rays(Pattern pattern, const RayView& view) {
     const std::size_t words = rayCount() * TRACE_RAY_FLOATS;
     reserve(words);
     run(pipeline(timedMethods().front(), trace::Query::Any, pattern, BENCH_TASK_RAYS), view, 1);
@@ -94,7 +94,7 @@ std::vector<trace::TraceRay> Kernel::rays(Pattern pattern, const View& view) {
 }
 
 std::vector<float> Kernel::answers(const TimedMethod& method, trace::Query query, Pattern pattern,
-                                   const View& view) {
+                                   const RayView& view) {
     const std::size_t words = rayCount() * answerFloats(query);
     reserve(words);
     run(pipeline(method, query, pattern, BENCH_TASK_ANSWERS), view, 1);
@@ -102,7 +102,7 @@ std::vector<float> Kernel::answers(const TimedMethod& method, trace::Query query
     return {written.begin(), written.end()};
 }
 
-Shot Kernel::time(const TimedMethod& method, trace::Query query, Pattern pattern, const View& view,
+Shot Kernel::time(const TimedMethod& method, trace::Query query, Pattern pattern, const RayView& view,
                   std::uint32_t layers) {
     const std::size_t invocations = rayCount() / BENCH_RAYS_EACH;
     gpu::Pipeline& chosen = pipeline(method, query, pattern, BENCH_TASK_TIME);

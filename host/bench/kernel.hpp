@@ -35,14 +35,14 @@ public:
     [[nodiscard]] std::size_t rayCount() const;
 
     /// The rays of a view, as bench.comp makes them, in the order in which it answers them.
-    std::vector<trace::TraceRay> rays(Pattern pattern, const View& view);
+    std::vector<trace::TraceRay> rays(Pattern pattern, const RayView& view);
 
     /// The answers to them: answerFloats(query) a ray.
     std::vector<float> answers(const TimedMethod& method, trace::Query query, Pattern pattern,
-                               const View& view);
+                               const RayView& view);
 
     /// Answers all rays of the view `layers` times in one submission.
-    Shot time(const TimedMethod& method, trace::Query query, Pattern pattern, const View& view,
+    Shot time(const TimedMethod& method, trace::Query query, Pattern pattern, const RayView& view,
               std::uint32_t layers);
 
     /// Lets go of all pipelines. Where a driver for processors puts their code can cost a third of the time,
@@ -55,7 +55,7 @@ private:
     gpu::Pipeline& pipeline(const TimedMethod& method, trace::Query query, Pattern pattern,
                             std::uint32_t task);
     void reserve(std::size_t words);
-    double run(gpu::Pipeline& chosen, const View& view, std::uint32_t layers);
+    double run(gpu::Pipeline& chosen, const RayView& view, std::uint32_t layers);
 
     gpu::Context* context;
     std::uint32_t side;

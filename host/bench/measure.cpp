@@ -27,9 +27,9 @@ std::vector<CellResult> Measurer::measure(const Workload& workload, std::span<co
                                           const std::function<void(double)>& progress) {
     const reference::Torus torus = workload.torus();
     kernel.forgetPipelines();  // so that no method has bad luck in every workload
-    const View view = aimedView(kernel, workload, options.seed);
+    const RayView view = aimedView(kernel, workload, options.seed);
     const std::vector<trace::TraceRay> rays = kernel.rays(workload.pattern, view);
-    Truths truths(torus, rays);
+    ReferenceHits expected(torus, rays);
     std::optional<Stream> stream;
     if (workload.mode == Mode::Streamed) {
         const std::size_t room = trace::Tracer::maxCapacity(*context, trace::Query::All) / kernel.rayCount();
@@ -38,7 +38,7 @@ std::vector<CellResult> Measurer::measure(const Workload& workload, std::span<co
     std::vector<CellResult> results;
     for (const trace::Query query : queries) {
         results.push_back(
-            measureQuery(workload, query, view, truths, stream ? &*stream : nullptr, [&](double part) {
+            measureQuery(workload, query, view, expected, stream ? &*stream : nullptr, [&](double part) {
                 if (progress) {
                     progress((static_cast<double>(results.size()) + part) /
                              static_cast<double>(queries.size()));
@@ -56,10 +56,10 @@ std::uint32_t Measurer::layersFor(double secondsOfOne) const {
     return static_cast<std::uint32_t>(std::clamp(wanted, 1.0, double{mostLayers}));
 }
 
-CellResult Measurer::measureQuery(const Workload& workload, trace::Query query, const View& view,
-                                  Truths& truths, Stream* stream,
+CellResult Measurer::measureQuery(const Workload& workload, trace::Query query, const RayView& view,
+                                  ReferenceHits& expected, Stream* stream,
                                   const std::function<void(double)>& progress) {
-    CellResult cell{workload, query, truths.hitPart(), kernel.rayCount(), {}};
+    CellResult cell{workload, query, expected.hitPart(), kernel.rayCount(), {}};
     std::vector<std::function<Shot()>> contestants;
     for (const TimedMethod& method : methods) {
         MethodResult result;
@@ -81,7 +81,7 @@ CellResult Measurer::measureQuery(const Workload& workload, trace::Query query, 
             contestants.emplace_back([time, layers = result.layers] { return time(layers); });
         }
         if (method.name != emptyName) {
-            result.verdicts = truths.judge(query, answers);
+            result.correctness = expected.judge(query, answers);
         }
         cell.methods.push_back(result);
         progress(0.5 * static_cast<double>(cell.methods.size()) / static_cast<double>(methods.size()));

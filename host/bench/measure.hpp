@@ -24,14 +24,15 @@ class Measurer {
 public:
     Measurer(gpu::Context& context, std::vector<TimedMethod> methods, const MeasureOptions& options);
 
-    /// Aims the workload's rays, holds every method's answers to the truth, then times them. `progress` hears
-    /// the part that is done, 0 to 1, of this workload.
+    /// Aims the workload's rays, holds every method's answers to the exact hits, then times them. `progress`
+    /// hears the part that is done, 0 to 1, of this workload.
     std::vector<CellResult> measure(const Workload& workload, std::span<const trace::Query> queries,
                                     const std::function<void(double)>& progress = {});
 
 private:
-    CellResult measureQuery(const Workload& workload, trace::Query query, const View& view, Truths& truths,
-                            Stream* stream, const std::function<void(double)>& progress);
+    CellResult measureQuery(const Workload& workload, trace::Query query, const RayView& view,
+                            ReferenceHits& expected, Stream* stream,
+                            const std::function<void(double)>& progress);
     [[nodiscard]] std::uint32_t layersFor(double secondsOfOne) const;
 
     gpu::Context* context;

@@ -38,12 +38,12 @@ std::vector<Mark> marksOf(const BenchRun& run, trace::Query query, Pattern patte
             method == nullptr || method->times.ratio <= 0.0) {
             continue;
         }
-        const Verdicts& verdicts = method->verdicts;
-        const double wrong = static_cast<double>(verdicts.wrong + verdicts.gross);
+        const Correctness& correctness = method->correctness;
+        const double wrong = static_cast<double>(correctness.wrong + correctness.gross);
         const double value = 1.0 / method->times.ratio;
-        marks.push_back({value, wrong > badPart * static_cast<double>(verdicts.judged),
+        marks.push_back({value, wrong > badPart * static_cast<double>(correctness.judged),
                          fmt::format("{}: {} of our time, {} of {} wrong", cell.workload.name(),
-                                     ratioText(value), wrong, verdicts.judged)});
+                                     ratioText(value), wrong, correctness.judged)});
     }
     return marks;
 }

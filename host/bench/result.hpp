@@ -15,7 +15,7 @@ namespace raytorus::bench {
 struct MethodResult {
     std::string name;
     Times times;
-    Verdicts verdicts;         ///< of the empty method: nothing was judged
+    Correctness correctness;   ///< of the empty method: nothing was judged
     bool checksumHeld = true;  ///< every timed run gave the same answers as the verified one
     std::uint32_t layers = 1;  ///< how often a run answered each ray
 };

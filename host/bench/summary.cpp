@@ -40,8 +40,8 @@ double wrongPart(const BenchRun& run, const std::string& name) {
     for (const CellResult& cell : run.cells) {
         const MethodResult* method = findMethod(cell, name);
         if (method != nullptr) {
-            judged += static_cast<double>(method->verdicts.judged);
-            wrong += static_cast<double>(method->verdicts.wrong + method->verdicts.gross);
+            judged += static_cast<double>(method->correctness.judged);
+            wrong += static_cast<double>(method->correctness.wrong + method->correctness.gross);
         }
     }
     return judged > 0.0 ? wrong / judged : 0.0;
@@ -169,10 +169,10 @@ std::vector<std::string> libraryFaults(const BenchRun& run) {
     std::vector<std::string> faults;
     for (const CellResult& cell : run.cells) {
         const MethodResult* ours = findMethod(cell, ourName);
-        if (ours != nullptr && !ours->verdicts.right()) {
-            faults.push_back(fmt::format("{} {}: the library is wrong on {} of {} rays", cell.workload.name(),
-                                         nameOf(cell.query), ours->verdicts.wrong + ours->verdicts.gross,
-                                         ours->verdicts.judged));
+        if (ours != nullptr && !ours->correctness.right()) {
+            faults.push_back(fmt::format(
+                "{} {}: the library is wrong on {} of {} rays", cell.workload.name(), nameOf(cell.query),
+                ours->correctness.wrong + ours->correctness.gross, ours->correctness.judged));
         }
         if (ours != nullptr && !ours->checksumHeld) {
             faults.push_back(

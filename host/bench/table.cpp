@@ -15,9 +15,9 @@ std::string rowText(const MethodResult& method) {
                                   times.minimum, times.median, times.netMinimum, ratioText(times.ratio),
                                   ratioText(times.lowerQuartile), ratioText(times.upperQuartile));
     if (method.name != emptyName) {
-        const Verdicts& verdicts = method.verdicts;
-        row += fmt::format(" {} {:>6} {:>6} {:>8.1e}", verdicts.right() ? ' ' : '!', verdicts.wrong,
-                           verdicts.gross, verdicts.positionP99);
+        const Correctness& correctness = method.correctness;
+        row += fmt::format(" {} {:>6} {:>6} {:>8.1e}", correctness.right() ? ' ' : '!', correctness.wrong,
+                           correctness.gross, correctness.positionP99);
     }
     return row + (method.checksumHeld ? "\n" : "  runs differ\n");
 }
@@ -29,7 +29,7 @@ std::string ratioText(double ratio) {
 }
 
 std::string tableText(const CellResult& cell) {
-    const std::size_t judged = cell.methods.empty() ? 0 : cell.methods.back().verdicts.judged;
+    const std::size_t judged = cell.methods.empty() ? 0 : cell.methods.back().correctness.judged;
     std::string text = fmt::format("{} {}: {:.1f} % of {} rays hit, {} judged\n", cell.workload.name(),
                                    nameOf(cell.query), 100.0 * cell.hitPart, cell.rays, judged);
     text += fmt::format("  {:<21} {:>8} {:>8} {:>8}  {:>6} {:>6} - {:<6}   {:>6} {:>6} {:>8}\n", "method",

@@ -37,10 +37,10 @@ void store(const DoubleVec3& from, float (&to)[3]) {
 
 }  // namespace
 
-View makeView(const Workload& workload, std::uint32_t pixels, std::uint64_t seed, double opening) {
+RayView makeView(const Workload& workload, std::uint32_t pixels, std::uint64_t seed, double opening) {
     reference::Random random(seed, 0, 0);
     const double azimuth = random.uniform(0.0, 2.0 * std::numbers::pi);
-    View view{};
+    RayView view{};
     view.majorRadius = workload.torus().majorRadius;
     view.minorRadius = workload.minorRadius;
     view.tMax = rayEnd;
@@ -68,14 +68,14 @@ View makeView(const Workload& workload, std::uint32_t pixels, std::uint64_t seed
     return view;
 }
 
-View aim(const Workload& workload, std::uint32_t pixels, std::uint64_t seed,
-         const std::function<double(const View&)>& hitPart) {
+RayView aim(const Workload& workload, std::uint32_t pixels, std::uint64_t seed,
+            const std::function<double(const RayView&)>& hitPart) {
     const double wanted = 0.01 * workload.hitPercent;
     double opening = leastOpening;
-    View best = makeView(workload, pixels, seed, opening);
+    RayView best = makeView(workload, pixels, seed, opening);
     double bestOff = 1.0;
     const auto tooMany = [&](double tried) {
-        const View view = makeView(workload, pixels, seed, tried);
+        const RayView view = makeView(workload, pixels, seed, tried);
         const double part = hitPart(view);
         if (std::abs(part - wanted) < bestOff) {
             bestOff = std::abs(part - wanted);

@@ -10,7 +10,7 @@
 namespace raytorus::bench {
 
 /// What bench_rays.glsl makes rays of: its push constants.
-struct View {
+struct RayView {
     float origin[3];
     float majorRadius;
     float corner[3];
@@ -30,11 +30,11 @@ inline constexpr float rayEnd = 1e30F;
 /// The view with this opening, in r. Tiles: half the width of the picture, `pixels` wide, at the distance of
 /// the ring; its middle is a point of the ring, and from where the camera looks follows from the seed.
 /// Scattered: how far from the ring the rays aim.
-View makeView(const Workload& workload, std::uint32_t pixels, std::uint64_t seed, double opening);
+RayView makeView(const Workload& workload, std::uint32_t pixels, std::uint64_t seed, double opening);
 
 /// The view that comes closest to the workload's part of hits. `hitPart` says what part of a view's rays hit:
 /// all of them where the opening is small, ever fewer as it grows.
-View aim(const Workload& workload, std::uint32_t pixels, std::uint64_t seed,
-         const std::function<double(const View&)>& hitPart);
+RayView aim(const Workload& workload, std::uint32_t pixels, std::uint64_t seed,
+            const std::function<double(const RayView&)>& hitPart);
 
 }  // namespace raytorus::bench

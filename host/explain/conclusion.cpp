@@ -29,22 +29,22 @@ bool isLeftOpen(const Explanation& e) {
 }
 
 // "misses both roots", "misses 2 of 4 hits", "invents 1 hit".
-std::string wrongCount(const Verdict& verdict, const char* noun) {
-    const int missed = verdict.expected - verdict.found;
+std::string wrongCount(const AnswerErrors& list, const char* noun) {
+    const int missed = list.expected - list.found;
     if (missed < 0) {
         return fmt::format("invents {}", counted(-missed, noun));
     }
-    if (missed < verdict.expected) {
-        return fmt::format("misses {} of {}", missed, counted(verdict.expected, noun));
+    if (missed < list.expected) {
+        return fmt::format("misses {} of {}", missed, counted(list.expected, noun));
     }
     return missed == 1   ? fmt::format("misses the {}", noun)
            : missed == 2 ? fmt::format("misses both {}s", noun)
                          : fmt::format("misses all {}", counted(missed, noun));
 }
 
-std::string errors(const Verdict& verdict) {
-    return fmt::format("t off by at most {} ulp, positions by {} (R + r)", roughly(verdict.t),
-                       roughly(verdict.position));
+std::string errors(const AnswerErrors& list) {
+    return fmt::format("t off by at most {} ulp, positions by {} (R + r)", roughly(list.t),
+                       roughly(list.position));
 }
 
 std::string ofLibrary(const Explanation& e) {

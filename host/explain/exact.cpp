@@ -90,20 +90,20 @@ void solveResolvent(Steps<Quad>& steps) {
     if (steps.epsilon < 0) {
         const Quad cosine = gamma / (2 * delta * squareRoot(delta));
         steps.y = 2 * squareRoot(delta) * cosq(acosq(cosine) / 3) / 3;
-        steps.rootCase = Case::FourOrNone;
+        steps.rootCase = RootCase::FourOrNone;
     } else {
         const Quad root = squareRoot(steps.epsilon);
         const Quad zeta = cbrtq((gamma < 0 ? gamma - root : gamma + root) / 2);
         steps.zeta = zeta;
         steps.y = zeta != 0 ? zeta / 3 + delta / (3 * zeta) : 0;
-        const Case withZeta = steps.epsilon > 0 ? Case::Two : Case::Multiple;
-        steps.rootCase = zeta != 0 ? withZeta : Case::Triple;
+        const RootCase withZeta = steps.epsilon > 0 ? RootCase::Two : RootCase::Multiple;
+        steps.rootCase = zeta != 0 ? withZeta : RootCase::Triple;
     }
     const Quad inner = steps.y - 4 * alpha / 3;
     const bool vanishes = inner <= doubtful * (magnitude(steps.y) + magnitude(alpha));
     steps.S = vanishes ? 0 : squareRoot(inner);
     if (cz == 0 || vanishes) {
-        steps.rootCase = Case::Biquadratic;
+        steps.rootCase = RootCase::Biquadratic;
     }
 }
 
@@ -121,11 +121,11 @@ reference::RootList<Quad> innerRoots(const Steps<Quad>& steps) {
     return found;
 }
 
-Place placeOf(Quad t, const reference::Ray& ray) {
+RootPlace placeOf(Quad t, const reference::Ray& ray) {
     if (t < Quad(ray.tMin)) {
-        return Place::Before;
+        return RootPlace::Before;
     }
-    return t <= Quad(ray.tMax) ? Place::Within : Place::Beyond;
+    return t <= Quad(ray.tMax) ? RootPlace::Within : RootPlace::Beyond;
 }
 
 }  // namespace

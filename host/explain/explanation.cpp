@@ -80,19 +80,19 @@ const char* shapeOf(const reference::Torus& torus) {
     return torus.minorRadius < torus.majorRadius ? "ring" : "spindle";
 }
 
-const char* describe(Case rootCase) {
+const char* describe(RootCase rootCase) {
     switch (rootCase) {
-        case Case::Biquadratic:
+        case RootCase::Biquadratic:
             return "cz or S is 0: a quadratic in t^2 (23)";
-        case Case::FourOrNone:
+        case RootCase::FourOrNone:
             return "epsilon < 0: four real roots or none (21)";
-        case Case::Two:
+        case RootCase::Two:
             return "epsilon > 0: two real roots (18)";
-        case Case::Multiple:
+        case RootCase::Multiple:
             return "epsilon = 0: a double root (18)";
-        case Case::Triple:
+        case RootCase::Triple:
             return "zeta = 0: a triple root (18)";
-        case Case::None:
+        case RootCase::None:
             break;
     }
     return "no reduced quartic";

@@ -16,7 +16,7 @@ using reference::Quad;
 using reference::Vec3;
 
 /// Which formula finds the roots of the reduced quartic.
-enum class Case {
+enum class RootCase {
     None,         ///< there is no reduced quartic
     Biquadratic,  ///< cz = 0 (or S = 0): a quadratic in t^2 (23)
     FourOrNone,   ///< epsilon < 0 (21)
@@ -42,7 +42,7 @@ struct Steps {
     std::optional<Number> zeta;          ///< (18); complex for epsilon < 0
     Number y{};                          ///< (18), (21)
     Number S{};                          ///< (20)
-    Case rootCase = Case::None;
+    RootCase rootCase = RootCase::None;
 };
 
 /// A hit as torusIntersect and torusIntersectAll answer it, with torusNormal and torusUv of its position.
@@ -59,7 +59,7 @@ enum class Sheet {
 };
 
 /// Where a root lies on the ray.
-enum class Place { Before, Within, Beyond };
+enum class RootPlace { Before, Within, Beyond };
 
 /// A real root of the quartic, on the whole line.
 struct TrueRoot {
@@ -67,17 +67,17 @@ struct TrueRoot {
     Vec3<Quad> position{};
     Sheet sheet = Sheet::Outer;
     bool entering = false;  ///< the solid of an outer sheet
-    Place place = Place::Within;
+    RootPlace place = RootPlace::Within;
     Vec3<Quad> normal{};
     std::array<Quad, 2> uv{};
     std::optional<std::size_t> hit;         ///< of Explanation::hits
     std::optional<std::size_t> closedForm;  ///< of Explanation::closedForm
 
-    [[nodiscard]] bool isHit() const { return sheet == Sheet::Outer && place == Place::Within; }
+    [[nodiscard]] bool isHit() const { return sheet == Sheet::Outer && place == RootPlace::Within; }
 };
 
 /// How a list of answers stands to the truth. Errors are the largest of those that have a true root.
-struct Verdict {
+struct AnswerErrors {
     bool answers = true;  ///< false: it does not deal with such a torus
     int expected = 0;
     int found = 0;
@@ -106,9 +106,9 @@ struct Explanation {
     std::vector<ShaderHit> hits;       ///< torusIntersectAll
     std::vector<float> closedForm;     ///< t of torusClosedFormRoots
 
-    bool agree = true;    ///< the three functions do
-    Verdict library;      ///< torusIntersectAll
-    Verdict closedForms;  ///< torusClosedFormRoots
+    bool agree = true;         ///< the three functions do
+    AnswerErrors library;      ///< torusIntersectAll
+    AnswerErrors closedForms;  ///< torusClosedFormRoots
     std::string conclusion;
 };
 
@@ -136,6 +136,6 @@ bool isInventedByClosedForm(const Explanation& e, std::size_t root);
 const char* shapeOf(const reference::Torus& torus);
 
 /// "epsilon < 0: four real roots or none (21)"
-const char* describe(Case rootCase);
+const char* describe(RootCase rootCase);
 
 }  // namespace raytorus::explain

@@ -51,8 +51,8 @@ Json rowJson(const Row& row) {
     return json;
 }
 
-const char* nameOf(Place place) {
-    return place == Place::Before ? "before" : place == Place::Within ? "within" : "beyond";
+const char* nameOf(RootPlace place) {
+    return place == RootPlace::Before ? "before" : place == RootPlace::Within ? "within" : "beyond";
 }
 
 Json hitJson(const ShaderHit& hit) {
@@ -89,11 +89,11 @@ Json rootJson(const Explanation& e, const TrueRoot& root) {
     return json;
 }
 
-Json verdictJson(const Verdict& verdict) {
-    return {{"expected", verdict.expected},
-            {"found", verdict.found},
-            {"tUlp", number(verdict.t)},
-            {"positionError", number(verdict.position)}};
+Json errorsJson(const AnswerErrors& list) {
+    return {{"expected", list.expected},
+            {"found", list.found},
+            {"tUlp", number(list.t)},
+            {"positionError", number(list.position)}};
 }
 
 Json inventedJson(const Explanation& e) {
@@ -148,8 +148,8 @@ std::string jsonOf(const Explanation& e) {
     json["startsInside"] = e.startsInside;
     json["torusIntersect"] = e.nearest ? hitJson(*e.nearest) : Json(nullptr);
     json["torusOccluded"] = e.occluded;
-    json["torusIntersectAll"] = verdictJson(e.library);
-    json["closedForm"] = e.closedForms.answers ? verdictJson(e.closedForms) : Json(nullptr);
+    json["torusIntersectAll"] = errorsJson(e.library);
+    json["closedForm"] = e.closedForms.answers ? errorsJson(e.closedForms) : Json(nullptr);
     json["right"] = isRight(e);
     json["conclusion"] = e.conclusion;
     return dumpJson(json);

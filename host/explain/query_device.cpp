@@ -50,20 +50,20 @@ ShaderHit hitOf(const ExplainHit& hit) {
 }
 
 // As torus_resolventRoot and torus_pairs decide.
-Case caseOf(const ExplainAnswer& answer) {
+RootCase caseOf(const ExplainAnswer& answer) {
     if (answer.meets == 0) {
-        return Case::None;
+        return RootCase::None;
     }
     if (answer.cz == 0.0F || !(answer.innerSquare > 0.0F)) {
-        return Case::Biquadratic;
+        return RootCase::Biquadratic;
     }
     if (answer.epsilon < 0.0F) {
-        return Case::FourOrNone;
+        return RootCase::FourOrNone;
     }
     if (answer.zeta == 0.0F) {
-        return Case::Triple;
+        return RootCase::Triple;
     }
-    return answer.epsilon > 0.0F ? Case::Two : Case::Multiple;
+    return answer.epsilon > 0.0F ? RootCase::Two : RootCase::Multiple;
 }
 
 Steps<float> stepsOf(const ExplainAnswer& answer) {

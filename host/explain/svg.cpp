@@ -12,8 +12,8 @@ namespace raytorus::explain {
 namespace {
 
 constexpr double pageWidth = 1080.0, pageHeight = 560.0;
-constexpr Frame sectionFrame{20.0, 70.0, 500.0, 420.0};
-constexpr Frame quarticFrame{560.0, 70.0, 500.0, 420.0};
+constexpr Rectangle sectionFrame{20.0, 70.0, 500.0, 420.0};
+constexpr Rectangle quarticFrame{560.0, 70.0, 500.0, 420.0};
 
 using Kind = Line::Mark::Kind;
 

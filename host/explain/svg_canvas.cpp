@@ -52,7 +52,7 @@ void Canvas::text(Point at, const std::string& words, const std::string& style) 
                        style.empty() ? "" : " ", style, escapeHtml(words));
 }
 
-void Canvas::open(const std::string& name, const Frame& frame) {
+void Canvas::open(const std::string& name, const Rectangle& frame) {
     svg += fmt::format(
         "<clipPath id=\"{0}-frame\"><rect x=\"{1:g}\" y=\"{2:g}\" width=\"{3:g}\" "
         "height=\"{4:g}\"/></clipPath>\n"

@@ -14,7 +14,7 @@ struct Point {
 using Polyline = std::vector<Point>;
 
 /// A rectangle of the picture.
-struct Frame {
+struct Rectangle {
     double left, top, width, height;
 
     [[nodiscard]] double right() const { return left + width; }
@@ -45,7 +45,7 @@ public:
     void text(Point at, const std::string& words, const std::string& style = "");
 
     /// A group, cut off at the frame. Groups do not nest.
-    void open(const std::string& name, const Frame& frame);
+    void open(const std::string& name, const Rectangle& frame);
     void close();
 
     [[nodiscard]] std::string finish() const { return svg + "</svg>\n"; }

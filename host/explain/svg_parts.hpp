@@ -40,8 +40,8 @@ void drawMarks(Canvas& canvas, const std::vector<Line::Mark>& marks, Point zero,
 double tickStep(double halfWidth);
 
 /// Pixels a unit of t', chosen by the section for both parts.
-double drawSection(Canvas& canvas, const Frame& frame, const Line& line);
-void drawQuartic(Canvas& canvas, const Frame& frame, const Line& line, const Steps<Quad>& steps,
+double drawSection(Canvas& canvas, const Rectangle& frame, const Line& line);
+void drawQuartic(Canvas& canvas, const Rectangle& frame, const Line& line, const Steps<Quad>& steps,
                  double scale);
 
 }  // namespace raytorus::explain

@@ -54,7 +54,7 @@ std::vector<Extremum> extremaOf(const Line& line, double alpha, double cz) {
 struct Scale {
     double unit = 0.0;  // 0: linear
     double low = 0.0, high = 1.0;
-    Frame frame{};
+    Rectangle frame{};
 
     [[nodiscard]] double flat(double value) const { return unit > 0.0 ? std::asinh(value / unit) : value; }
     [[nodiscard]] double y(double value) const {
@@ -65,7 +65,7 @@ struct Scale {
 };
 
 // `edge` is the largest t' that is seen.
-Scale scaleOf(const Frame& frame, const Line& line, const std::vector<Extremum>& extrema, double edge) {
+Scale scaleOf(const Rectangle& frame, const Line& line, const std::vector<Extremum>& extrema, double edge) {
     // Beside a single dip, which may be a tangent's, as high as a part of the picture away from it.
     const double beside = extrema.size() == 1 ? quartic(line, extrema[0].at + 0.15 * edge) : 0.0;
     double lowest = 0.0, highest = std::max(beside, 0.0), largest = std::abs(beside);
@@ -93,7 +93,7 @@ Scale scaleOf(const Frame& frame, const Line& line, const std::vector<Extremum>&
     return scale;
 }
 
-void drawGrid(Canvas& canvas, const Frame& frame, double middle, double pixels, double axis) {
+void drawGrid(Canvas& canvas, const Rectangle& frame, double middle, double pixels, double axis) {
     const double edge = 0.5 * frame.width / pixels, step = tickStep(edge);
     for (double t = -std::floor(edge / step) * step; t <= edge; t += step) {
         const double x = middle + pixels * t;
@@ -111,7 +111,7 @@ void drawGrid(Canvas& canvas, const Frame& frame, double middle, double pixels, 
 
 }  // namespace
 
-void drawQuartic(Canvas& canvas, const Frame& frame, const Line& line, const Steps<Quad>& steps,
+void drawQuartic(Canvas& canvas, const Rectangle& frame, const Line& line, const Steps<Quad>& steps,
                  double pixels) {
     const double alpha = reference::toDouble(steps.alpha), cz = reference::toDouble(steps.cz);
     const std::vector<Extremum> extrema = extremaOf(line, alpha, cz);

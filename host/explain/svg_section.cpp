@@ -170,7 +170,7 @@ void drawAxis(Canvas& canvas, const Plane& plane, const ToPixels& place, double 
                 fmt::format("text-anchor=\"{}\" {}", leftwards ? "end" : "start", style));
 }
 
-void drawRay(Canvas& canvas, const Frame& frame, const Line& line, const ToPixels& place, double height) {
+void drawRay(Canvas& canvas, const Rectangle& frame, const Line& line, const ToPixels& place, double height) {
     const double edge = 0.5 * frame.width / place.scale;
     const double from = std::clamp(line.start, -edge, edge), to = std::clamp(line.stop, -edge, edge);
     canvas.line(place({-edge, height}), place({edge, height}),
@@ -190,7 +190,7 @@ void drawRay(Canvas& canvas, const Frame& frame, const Line& line, const ToPixel
 
 }  // namespace
 
-double drawSection(Canvas& canvas, const Frame& frame, const Line& line) {
+double drawSection(Canvas& canvas, const Rectangle& frame, const Line& line) {
     const Plane plane = planeOf(line);
     const Curves section = sectionOf(line, plane);
     const double size = line.R + line.r;

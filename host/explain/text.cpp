@@ -86,8 +86,8 @@ std::string vectorText(const Vec3<Quad>& v) {
 
 std::string describe(const TrueRoot& root) {
     std::string text = root.sheet == Sheet::Inner ? "inner sheet" : root.entering ? "entering" : "leaving";
-    if (root.place != Place::Within) {
-        text += root.place == Place::Before ? ", before tMin" : ", beyond tMax";
+    if (root.place != RootPlace::Within) {
+        text += root.place == RootPlace::Before ? ", before tMin" : ", beyond tMax";
     }
     return text;
 }

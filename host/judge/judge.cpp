@@ -19,18 +19,18 @@ using reference::DoubleDouble;
 using reference::Vec3;
 
 template <class Real>
-Truth rounded(const BasicIntersections<Real>& exact) {
-    Truth truth;
-    truth.count = exact.count;
-    truth.startsInside = exact.startsInside;
-    truth.clearance = exact.clearance;
-    truth.startClearance = exact.startClearance;
-    truth.stopClearance = exact.stopClearance;
+ExactHits rounded(const BasicIntersections<Real>& exact) {
+    ExactHits hits;
+    hits.count = exact.count;
+    hits.startsInside = exact.startsInside;
+    hits.clearance = exact.clearance;
+    hits.startClearance = exact.startClearance;
+    hits.stopClearance = exact.stopClearance;
     for (std::size_t i = 0; i < exact.hits.size(); ++i) {
-        truth.hits[i] = {reference::toDouble(exact.hits[i].t),
-                         reference::convert<double>(exact.hits[i].position), exact.hits[i].entering};
+        hits.hits[i] = {reference::toDouble(exact.hits[i].t),
+                        reference::convert<double>(exact.hits[i].position), exact.hits[i].entering};
     }
-    return truth;
+    return hits;
 }
 
 double length(const Vec3<double>& v) {
@@ -46,10 +46,10 @@ bool isFiniteHit(float t, const float (&position)[3]) {
            std::isfinite(position[2]);
 }
 
-Fault verdictFault(const Truth& truth, const Answers& answers) {
+Fault verdictFault(const ExactHits& exact, const Answers& answers) {
     const trace::NearestHit& nearest = answers.nearest;
     const trace::AllHits& all = answers.all;
-    const bool hit = truth.count > 0;
+    const bool hit = exact.count > 0;
     const bool found = nearest.hit != 0.0F;
     const int count = static_cast<int>(all.count);
     bool finite = !found || isFiniteHit(nearest.t, nearest.position);
@@ -61,11 +61,11 @@ Fault verdictFault(const Truth& truth, const Answers& answers) {
     if (!finite) {
         return Fault::NonFinite;
     }
-    const bool touches = reference::differByTouches(truth.clearance, truth.count, count);
+    const bool touches = reference::differByTouches(exact.clearance, exact.count, count);
     if (found != hit && !touches) {
         return hit ? Fault::Missed : Fault::FalseHit;
     }
-    if (count != truth.count && !touches) {
+    if (count != exact.count && !touches) {
         return Fault::WrongCount;
     }
     if (!ascending) {
@@ -76,16 +76,16 @@ Fault verdictFault(const Truth& truth, const Answers& answers) {
 
 }  // namespace
 
-Truth arbiterTruth(const reference::Torus& torus, const reference::Ray& ray) {
+ExactHits arbiterHits(const reference::Torus& torus, const reference::Ray& ray) {
     return rounded(reference::intersect(torus, ray));
 }
 
-Truth preciseTruth(const reference::Torus& torus, const reference::Ray& ray) {
+ExactHits preciseHits(const reference::Torus& torus, const reference::Ray& ray) {
     return rounded(
         reference::intersectAs<DoubleDouble>(BasicTorus<DoubleDouble>(torus), BasicRay<DoubleDouble>(ray)));
 }
 
-Truth quickTruth(const reference::Torus& torus, const reference::Ray& ray) {
+ExactHits quickHits(const reference::Torus& torus, const reference::Ray& ray) {
     return reference::intersectAs<DoubleDouble, double>(BasicTorus<DoubleDouble>(torus),
                                                         BasicRay<DoubleDouble>(ray));
 }
@@ -129,12 +129,12 @@ double ulpOf(float t, double size) {
                : std::ldexp(1.0, 104);
 }
 
-Judgement judge(const reference::Torus& torus, const reference::Ray& ray, const Truth& truth,
+Judgement judge(const reference::Torus& torus, const reference::Ray& ray, const ExactHits& exact,
                 const Answers& answers) {
     Judgement judgement;
-    judgement.fault = verdictFault(truth, answers);
+    judgement.fault = verdictFault(exact, answers);
     const int count = static_cast<int>(answers.all.count);
-    if (count != truth.count) {
+    if (count != exact.count) {
         return judgement;
     }
     const double r{torus.minorRadius};
@@ -142,14 +142,14 @@ Judgement judge(const reference::Torus& torus, const reference::Ray& ray, const 
     const double rayLength = length(widened(ray.direction));
     const BasicTorus<double> exactTorus{double{torus.majorRadius}, r};
     for (int k = 0; k < count; ++k) {
-        const auto& exact = truth.hits[static_cast<std::size_t>(k)];
+        const auto& hit = exact.hits[static_cast<std::size_t>(k)];
         const Vec3<double> position = widened(answers.all.position[k]);
-        const Vec3<double> off{position[0] - exact.position[0], position[1] - exact.position[1],
-                               position[2] - exact.position[2]};
+        const Vec3<double> off{position[0] - hit.position[0], position[1] - hit.position[1],
+                               position[2] - hit.position[2]};
         HitErrors& errors = judgement.errors[static_cast<std::size_t>(judgement.hitCount++)];
         errors.position = length(off) / size;
         const float t = answers.all.t[k];
-        errors.t = std::abs(exact.t - double{t}) / ulpOf(t, size / rayLength);
+        errors.t = std::abs(hit.t - double{t}) / ulpOf(t, size / rayLength);
         errors.surface = std::abs(reference::tubeDistance(exactTorus, position)) / size;
         if (judgement.fault == Fault::None && !(errors.position * size <= grossError(torus))) {
             judgement.fault = Fault::Gross;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One ray's answers, held to the truth.
+// One ray's answers, held to the exact.
 #pragma once
 
 #include <algorithm>
@@ -11,18 +11,18 @@
 
 namespace raytorus::judge {
 
-/// The truth, rounded to doubles: 1e-16 of a position is a billionth of what floats can be off.
-using Truth = reference::BasicIntersections<double>;
+/// What the reference says, rounded to doubles: 1e-16 of a position is a billionth of what floats can be off.
+using ExactHits = reference::BasicIntersections<double>;
 
 /// By the 113-bit reference. The arbiter: some ten thousand rays a second.
-Truth arbiterTruth(const reference::Torus& torus, const reference::Ray& ray);
+ExactHits arbiterHits(const reference::Torus& torus, const reference::Ray& ray);
 
 /// In 104 bits throughout, some hundred thousand rays a second: for rays near tangents.
-Truth preciseTruth(const reference::Torus& torus, const reference::Ray& ray);
+ExactHits preciseHits(const reference::Torus& torus, const reference::Ray& ray);
 
 /// Reduced in 104 bits, solved in doubles, some half million rays a second: on clear rays positions are
 /// right to 1e-10 (R + r), at any distance.
-Truth quickTruth(const reference::Torus& torus, const reference::Ray& ray);
+ExactHits quickHits(const reference::Torus& torus, const reference::Ray& ray);
 
 enum class Fault {
     None,
@@ -49,8 +49,8 @@ using reference::grossError;
 using reference::positionBound;
 
 /// Whether a ray has one right answer, by these margins. Both are measured on the ray as rounded to floats.
-inline bool isClear(const Truth& truth, double tangentMargin, double endMargin) {
-    return truth.clearance >= tangentMargin && truth.endClearance() >= endMargin;
+inline bool isClear(const ExactHits& exact, double tangentMargin, double endMargin) {
+    return exact.clearance >= tangentMargin && exact.endClearance() >= endMargin;
 }
 
 /// How far its t may be off, in ulp as HitErrors has them: half an ulp where it is rounded once, which it
@@ -75,7 +75,7 @@ struct Judgement {
     std::array<HitErrors, 4> errors{};
 };
 
-Judgement judge(const reference::Torus& torus, const reference::Ray& ray, const Truth& truth,
+Judgement judge(const reference::Torus& torus, const reference::Ray& ray, const ExactHits& exact,
                 const Answers& answers);
 
 }  // namespace raytorus::judge

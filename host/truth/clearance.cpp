@@ -9,7 +9,7 @@
 
 namespace raytorus::truth {
 
-TubeDistance::TubeDistance(const scene_io::SceneTorus& torus, const Ray<DoubleDouble>& local)
+TubeDistance::TubeDistance(const scene_io::SceneTorus& torus, const SceneRay<DoubleDouble>& local)
     : shape(static_cast<double>(torus.radii.x), static_cast<double>(torus.radii.y)) {
     const int size = std::ilogb(std::max(torus.radii.x, torus.radii.y));
     double longest = 0.0;
@@ -21,7 +21,7 @@ TubeDistance::TubeDistance(const scene_io::SceneTorus& torus, const Ray<DoubleDo
     tUnit = std::ldexp(1.0, size - speed);
     shape.majorRadius /= lengthUnit;
     shape.minorRadius /= lengthUnit;
-    Ray<DoubleDouble> scaled;
+    SceneRay<DoubleDouble> scaled;
     for (std::size_t i = 0; i < 3; ++i) {
         scaled.origin[i] = timesPowerOfTwo(local.origin[i], -size);
         scaled.direction[i] = timesPowerOfTwo(local.direction[i], -speed);
@@ -62,15 +62,15 @@ double clearanceOf(const TubeDistance& distance, double tMax) {
     return std::max(least, -most);
 }
 
-double sphereClearance(const scene_io::SceneTorus& torus, const Ray<double>& ray, double tMax) {
+double sphereClearance(const scene_io::SceneTorus& torus, const SceneRay<double>& ray, double tMax) {
     const Vec3<double> toCentre = originOf<double>(torus) - ray.origin;
     const double t = std::clamp(dot(toCentre, ray.direction) / dot(ray.direction, ray.direction), 0.0, tMax);
     // The rows of the rotation are orthogonal to some 1e-7.
     return length(t * ray.direction - toCentre) * (1.0 - 1e-6) - outerRadius(torus);
 }
 
-Clearance leastClearance(const SceneData& scene, const Ray<DoubleDouble>& ray, double tMax) {
-    const Ray<double> plain{toDoubles(ray.origin), toDoubles(ray.direction)};
+Clearance leastClearance(const SceneData& scene, const SceneRay<DoubleDouble>& ray, double tMax) {
+    const SceneRay<double> plain{toDoubles(ray.origin), toDoubles(ray.direction)};
     Clearance least{std::numeric_limits<double>::infinity(), -1};
     for (std::size_t i = 0; i < scene.tori.size(); ++i) {
         const scene_io::SceneTorus& torus = scene.tori[i];

@@ -14,7 +14,7 @@ namespace raytorus::truth {
 class TubeDistance {
 public:
     /// `local`: in the torus' frame.
-    TubeDistance(const scene_io::SceneTorus& torus, const Ray<DoubleDouble>& local);
+    TubeDistance(const scene_io::SceneTorus& torus, const SceneRay<DoubleDouble>& local);
 
     /// t in lengths of the ray's direction.
     [[nodiscard]] double at(double t) const;
@@ -38,13 +38,13 @@ double clearanceOf(const TubeDistance& distance, double tMax);
 
 /// How far, at least, the ray stays from the sphere round the torus between t = 0 and tMax; negative if it
 /// meets the sphere.
-double sphereClearance(const scene_io::SceneTorus& torus, const Ray<double>& ray, double tMax);
+double sphereClearance(const scene_io::SceneTorus& torus, const SceneRay<double>& ray, double tMax);
 
 /// The smallest clearanceOf() of all tori, and whose it is.
 struct Clearance {
     double length = 0.0;
     int torus = -1;  ///< -1: the scene has none
 };
-Clearance leastClearance(const SceneData& scene, const Ray<DoubleDouble>& ray, double tMax);
+Clearance leastClearance(const SceneData& scene, const SceneRay<DoubleDouble>& ray, double tMax);
 
 }  // namespace raytorus::truth

@@ -20,7 +20,7 @@ struct Crossings {
 /// thousand times as much. Doubles lose some 1e-15 of the origin's distance, the rows of the rotation 1e-7 of
 /// the size.
 template <class Real>
-bool passesBy(const Ray<Real>& local, double radius) {
+bool passesBy(const SceneRay<Real>& local, double radius) {
     const Vec3<double> origin = toDoubles(local.origin);
     const Vec3<double> direction = toDoubles(local.direction);
     const double toFoot = -dot(origin, direction) / dot(direction, direction);
@@ -28,13 +28,13 @@ bool passesBy(const Ray<Real>& local, double radius) {
     return nearest > radius * (1.0 + 1e-6) + 1e-14 * length(origin);
 }
 
-/// localRay: from a torus to the ray in its frame, a Ray<Real>. Reduced in Real, solved in Solving.
+/// localRay: from a torus to the ray in its frame, a SceneRay<Real>. Reduced in Real, solved in Solving.
 template <class Real, class Solving = Real, class LocalRay>
 Crossings<Solving> crossings(const SceneData& scene, const LocalRay& localRay, double tMax) {
     Crossings<Solving> found;
     for (std::size_t i = 0; i < scene.tori.size(); ++i) {
         const scene_io::SceneTorus& torus = scene.tori[i];
-        const Ray<Real> local = localRay(torus);
+        const SceneRay<Real> local = localRay(torus);
         if (passesBy(local, outerRadius(torus))) {
             continue;
         }

@@ -17,8 +17,8 @@ CameraBounds cameraBounds(const scene_io::SceneFrame& frame, const PicturePoint<
             rounded.error / exactLength + floatRounding};
 }
 
-Displacement displacementAt(const scene_io::SceneTorus& torus, const Ray<Rounded>& ray) {
-    const Ray<Rounded> local = toTorus(torus, ray);
+Displacement displacementAt(const scene_io::SceneTorus& torus, const SceneRay<Rounded>& ray) {
+    const SceneRay<Rounded> local = toTorus(torus, ray);
     return {errorLength(local.origin), errorLength(local.direction)};
 }
 

@@ -36,6 +36,6 @@ struct Displacement {
     [[nodiscard]] double at(double t) const { return origin + t * perT; }
 };
 /// In the frame of a torus, for a ray with these errors.
-Displacement displacementAt(const scene_io::SceneTorus& torus, const Ray<Rounded>& ray);
+Displacement displacementAt(const scene_io::SceneTorus& torus, const SceneRay<Rounded>& ray);
 
 }  // namespace raytorus::truth

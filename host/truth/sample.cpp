@@ -8,7 +8,7 @@ namespace {
 
 // The crossings of a ray of the world with all tori.
 template <class Real>
-Crossings<Real> crossingsOf(const SceneData& scene, const Ray<Real>& ray, double tMax) {
+Crossings<Real> crossingsOf(const SceneData& scene, const SceneRay<Real>& ray, double tMax) {
     return crossings<Real>(
         scene, [&ray](const scene_io::SceneTorus& torus) { return toTorus(torus, ray); }, tMax);
 }
@@ -16,7 +16,7 @@ Crossings<Real> crossingsOf(const SceneData& scene, const Ray<Real>& ray, double
 }  // namespace
 
 reference::BasicIntersections<double> quickCrossings(const scene_io::SceneTorus& torus,
-                                                     const Ray<DoubleDouble>& local) {
+                                                     const SceneRay<DoubleDouble>& local) {
     const reference::BasicRay<DoubleDouble> whole(local.origin, DoubleDouble(0.0), local.direction,
                                                   DoubleDouble(farthest));
     return reference::intersectAs<DoubleDouble, double>(reference::BasicTorus<DoubleDouble>(shapeOf(torus)),
@@ -24,7 +24,7 @@ reference::BasicIntersections<double> quickCrossings(const scene_io::SceneTorus&
 }
 
 template <class Real, class Surface>
-Sample<Surface> traceSample(const SceneData& scene, const Ray<Real>& ray) {
+Sample<Surface> traceSample(const SceneData& scene, const SceneRay<Real>& ray) {
     const Crossings<Real> hit = crossingsOf(scene, ray, farthest);
     Sample<Surface> sample;
     sample.torus = hit.torus;
@@ -46,7 +46,7 @@ Sample<Surface> traceSample(const SceneData& scene, const Ray<Real>& ray) {
         const scene_io::SceneLight& light = scene.frame.lights[i];
         const Vec3<Surface> path = pathTo(light, start);
         const bool facing = dot(normal, path) > Surface(0.0);
-        const Ray<Real> shadow{reference::convert<Real>(start), reference::convert<Real>(path)};
+        const SceneRay<Real> shadow{reference::convert<Real>(start), reference::convert<Real>(path)};
         sample.reaching[static_cast<std::size_t>(i)] =
             !facing || crossingsOf(scene, shadow, isPointLight(light) ? 1.0 : farthest).count == 0;
     }
@@ -54,7 +54,7 @@ Sample<Surface> traceSample(const SceneData& scene, const Ray<Real>& ray) {
     return sample;
 }
 
-template Sample<Quad> traceSample(const SceneData&, const Ray<Quad>&);
-template Sample<double> traceSample(const SceneData&, const Ray<DoubleDouble>&);
+template Sample<Quad> traceSample(const SceneData&, const SceneRay<Quad>&);
+template Sample<double> traceSample(const SceneData&, const SceneRay<DoubleDouble>&);
 
 }  // namespace raytorus::truth

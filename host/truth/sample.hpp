@@ -9,7 +9,7 @@ namespace raytorus::truth {
 /// All crossings of one torus by a ray in its frame, reduced in 104 bits and solved in doubles: right to
 /// 1e-10 of its size where the ray is not as good as tangent, at any distance, and a hundred times as fast.
 reference::BasicIntersections<double> quickCrossings(const scene_io::SceneTorus& torus,
-                                                     const Ray<DoubleDouble>& local);
+                                                     const SceneRay<DoubleDouble>& local);
 
 /// What one ray through the picture sees. Surface: the type of what is computed after the hit.
 template <class Surface>
@@ -25,6 +25,6 @@ struct Sample {
 
 /// Hits in Real, all else in Surface: Quad and Quad for the truth, DoubleDouble and double to question it.
 template <class Real, class Surface>
-Sample<Surface> traceSample(const SceneData& scene, const Ray<Real>& ray);
+Sample<Surface> traceSample(const SceneData& scene, const SceneRay<Real>& ray);
 
 }  // namespace raytorus::truth

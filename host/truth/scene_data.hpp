@@ -23,7 +23,7 @@ SceneData makeSceneData(const scene::Scene& scene, int width, int height);
 inline constexpr double farthest = double{3.0e38F};
 
 template <class Real>
-struct Ray {
+struct SceneRay {
     Vec3<Real> origin, direction;
 };
 
@@ -53,7 +53,7 @@ Vec3<Real> originOf(const scene_io::SceneTorus& torus) {
 }
 
 template <class Real>
-Ray<Real> toTorus(const scene_io::SceneTorus& torus, const Ray<Real>& ray) {
+SceneRay<Real> toTorus(const scene_io::SceneTorus& torus, const SceneRay<Real>& ray) {
     return {toTorus(torus, ray.origin - originOf<Real>(torus)), toTorus(torus, ray.direction)};
 }
 
@@ -79,7 +79,7 @@ Vec3<Real> lookAt(const scene_io::SceneFrame& frame, const PicturePoint<Real>& p
 }
 
 template <class Real>
-Ray<Real> cameraRay(const scene_io::SceneFrame& frame, const PicturePoint<Real>& point) {
+SceneRay<Real> cameraRay(const scene_io::SceneFrame& frame, const PicturePoint<Real>& point) {
     return {exactly<Real>(frame.cameraPosition), unit(lookAt(frame, point))};
 }
 

@@ -24,7 +24,7 @@ double largestOf(const Vec3<double>& v) {
 }
 
 // What a ray sees at the hit that the truth has, or a change of it.
-struct View {
+struct Sight {
     double t = 0.0;
     Vec3<double> hit{};  // in the torus' frame
     SurfacePoint<double> point{};
@@ -37,7 +37,7 @@ struct Spread {
     double t = 0.0, position = 0.0, normal = 0.0, u = 0.0, v = 0.0, color = 0.0;
     std::array<double, scene::maxLights> shadows{};
 
-    void include(const View& exact, const View& displaced) {
+    void include(const Sight& exact, const Sight& displaced) {
         const auto grow = [](double& most, double change) { most = std::max(most, std::abs(change)); };
         grow(t, displaced.t - exact.t);
         grow(position, length(displaced.point.position - exact.point.position));
@@ -65,7 +65,7 @@ double toleranceOf(double change, const std::array<Rounded, count>& components) 
 // A sample that hits something.
 class HitSharpness {
 public:
-    HitSharpness(const SceneData& data, const Seen& truth, const Ray<DoubleDouble>& exact,
+    HitSharpness(const SceneData& data, const Seen& truth, const SceneRay<DoubleDouble>& exact,
                  const CameraBounds& bounds)
         : scene(data),
           seen(truth),
@@ -77,14 +77,14 @@ public:
     // A ray that does not cross the surface here as the exact one does leaves every verdict in doubt, and the
     // tolerances to the others.
     Sharpness judge(VerdictMargins verdicts) const {
-        const std::optional<View> exact = see(ray, std::nullopt);
+        const std::optional<Sight> exact = see(ray, std::nullopt);
         if (!exact) {
             return {};
         }
         const bool entering = dot(exact->point.outward, toEye) > 0.0;
         Spread spread;
         for (const Vec3<double>& shift : displacements()) {
-            const std::optional<View> displaced =
+            const std::optional<Sight> displaced =
                 see({ray.origin + fromDoubles<DoubleDouble>(shift), ray.direction}, entering);
             if (displaced) {
                 spread.include(*exact, *displaced);
@@ -96,7 +96,7 @@ public:
     }
 
 private:
-    std::optional<View> see(const Ray<DoubleDouble>& line, std::optional<bool> entering) const {
+    std::optional<Sight> see(const SceneRay<DoubleDouble>& line, std::optional<bool> entering) const {
         const auto hits = quickCrossings(torus, toTorus(torus, line));
         const reference::BasicHit<double>* nearest = nullptr;
         for (int i = 0; i < hits.count; ++i) {
@@ -108,7 +108,7 @@ private:
         if (nearest == nullptr) {
             return std::nullopt;
         }
-        View view;
+        Sight view;
         view.t = nearest->t;
         view.hit = nearest->position;
         view.point = surfacePoint(torus, view.hit);
@@ -146,7 +146,7 @@ private:
 
     // What the arithmetic after the hit may lose: the same formulas in Rounded, from a position that is off
     // by as much as the library's may be.
-    Sharpness withRounding(const View& exact, const Spread& spread, const VerdictMargins& verdicts) const {
+    Sharpness withRounding(const Sight& exact, const Spread& spread, const VerdictMargins& verdicts) const {
         Vec3<Rounded> hit = fromDoubles<Rounded>(exact.hit);
         for (Rounded& component : hit) {
             component.error = positionBound * outerRadius(torus);
@@ -192,7 +192,7 @@ private:
 
     // How far from the edge of a shadow. The rays' clearance changes with the hit, which the displaced rays
     // show, and by what float32 does to the shadow ray itself.
-    [[nodiscard]] double shadowMargin(const View& exact, const Spread& spread,
+    [[nodiscard]] double shadowMargin(const Sight& exact, const Spread& spread,
                                       const SurfacePoint<Rounded>& point, const Vec3<Rounded>& eye) const {
         const Vec3<Rounded> start = shadowStart(torus, point.position, normalTowards(eye, point.outward));
         double margin = std::numeric_limits<double>::infinity();
@@ -203,7 +203,7 @@ private:
             }
             const scene_io::SceneLight& light = scene.frame.lights[i];
             const auto& blocker = scene.tori[static_cast<std::size_t>(clearance.torus)];
-            const Ray<Rounded> shadow{start, pathTo(light, start)};
+            const SceneRay<Rounded> shadow{start, pathTo(light, start)};
             const double reach = length(toDoubles(start) - originOf<double>(blocker)) + outerRadius(blocker);
             const double t = isPointLight(light) ? 1.0 : reach;
             const double moved = displacementAt(blocker, shadow).at(t) + positionBound * outerRadius(blocker);
@@ -217,12 +217,12 @@ private:
     const SceneData& scene;
     const Seen& seen;
     const scene_io::SceneTorus& torus;
-    const Ray<DoubleDouble>& ray;
+    const SceneRay<DoubleDouble>& ray;
     Vec3<double> toEye;
     CameraBounds camera;
 };
 
-Sharpness ofBackground(const SceneData& scene, const Ray<DoubleDouble>& ray, const CameraBounds& camera,
+Sharpness ofBackground(const SceneData& scene, const SceneRay<DoubleDouble>& ray, const CameraBounds& camera,
                        const VerdictMargins& verdicts) {
     const double z = toDouble(ray.direction[2]);
     const Rounded rounded(z, camera.turned + camera.stretched * std::abs(z));
@@ -232,8 +232,8 @@ Sharpness ofBackground(const SceneData& scene, const Ray<DoubleDouble>& ray, con
 
 }  // namespace
 
-Sharpness sharpnessOf(const SceneData& scene, const PicturePoint<Rounded>& at, const Ray<DoubleDouble>& ray,
-                      const Seen& seen) {
+Sharpness sharpnessOf(const SceneData& scene, const PicturePoint<Rounded>& at,
+                      const SceneRay<DoubleDouble>& ray, const Seen& seen) {
     const CameraBounds camera = cameraBounds(scene.frame, at);
     const VerdictMargins verdicts = verdictMargins(scene, ray, camera, seen.torus, seen.t);
     if (seen.torus < 0) {

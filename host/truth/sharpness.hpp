@@ -25,7 +25,7 @@ struct Seen {
     LightMask reaching;
 };
 
-Sharpness sharpnessOf(const SceneData& scene, const PicturePoint<Rounded>& at, const Ray<DoubleDouble>& ray,
-                      const Seen& seen);
+Sharpness sharpnessOf(const SceneData& scene, const PicturePoint<Rounded>& at,
+                      const SceneRay<DoubleDouble>& ray, const Seen& seen);
 
 }  // namespace raytorus::truth

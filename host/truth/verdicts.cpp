@@ -15,7 +15,7 @@ constexpr double endless = std::numeric_limits<double>::infinity();
 // The line of sight and one torus.
 class Passage {
 public:
-    Passage(const scene_io::SceneTorus& which, const Ray<DoubleDouble>& ray, const CameraBounds& camera)
+    Passage(const scene_io::SceneTorus& which, const SceneRay<DoubleDouble>& ray, const CameraBounds& camera)
         : torus(which),
           local(toTorus(which, ray)),
           distance(which, local),
@@ -70,7 +70,7 @@ public:
     }
 
     const scene_io::SceneTorus& torus;
-    Ray<DoubleDouble> local;
+    SceneRay<DoubleDouble> local;
     TubeDistance distance;
     Displacement displacement;
     double far;  // beyond it there is nothing of the torus
@@ -79,20 +79,20 @@ public:
 
 }  // namespace
 
-Displacement frameDisplacement(const scene_io::SceneTorus& torus, const Ray<DoubleDouble>& ray) {
+Displacement frameDisplacement(const scene_io::SceneTorus& torus, const SceneRay<DoubleDouble>& ray) {
     return displacementAt(
         torus, {fromDoubles<Rounded>(toDoubles(ray.origin)), fromDoubles<Rounded>(toDoubles(ray.direction))});
 }
 
-Displacement cameraDisplacement(const scene_io::SceneTorus& torus, const Ray<DoubleDouble>& ray,
+Displacement cameraDisplacement(const scene_io::SceneTorus& torus, const SceneRay<DoubleDouble>& ray,
                                 const CameraBounds& camera) {
     const Displacement frame = frameDisplacement(torus, ray);
     return {frame.origin, frame.perT + camera.turned};
 }
 
-VerdictMargins verdictMargins(const SceneData& scene, const Ray<DoubleDouble>& ray,
+VerdictMargins verdictMargins(const SceneData& scene, const SceneRay<DoubleDouble>& ray,
                               const CameraBounds& camera, int torus, double t) {
-    const Ray<double> plain{toDoubles(ray.origin), toDoubles(ray.direction)};
+    const SceneRay<double> plain{toDoubles(ray.origin), toDoubles(ray.direction)};
     VerdictMargins margins{endless, endless};
     // The hit itself may lie nearer or farther by what a displacement does to it, twice for the curvature.
     double hitShift = 0.0;

@@ -13,14 +13,14 @@ struct VerdictMargins {
 };
 
 /// In units of what the ray may be displaced at most. torus, t: the nearest hit, or -1 and anything.
-VerdictMargins verdictMargins(const SceneData& scene, const Ray<DoubleDouble>& ray,
+VerdictMargins verdictMargins(const SceneData& scene, const SceneRay<DoubleDouble>& ray,
                               const CameraBounds& camera, int torus, double t);
 
 /// What becoming a ray in a torus' frame does to a ray.
-Displacement frameDisplacement(const scene_io::SceneTorus& torus, const Ray<DoubleDouble>& ray);
+Displacement frameDisplacement(const scene_io::SceneTorus& torus, const SceneRay<DoubleDouble>& ray);
 
 /// How far a camera ray may lie from the exact one at t, in a torus' frame.
-Displacement cameraDisplacement(const scene_io::SceneTorus& torus, const Ray<DoubleDouble>& ray,
+Displacement cameraDisplacement(const scene_io::SceneTorus& torus, const SceneRay<DoubleDouble>& ray,
                                 const CameraBounds& camera);
 
 }  // namespace raytorus::truth

@@ -19,7 +19,7 @@ struct RayGroup {
 
     [[nodiscard]] bool passesByMargin() const { return reference::passesByMargin(rayClass); }
     /// Whether roots in doubles are worth too few digits: near tangents, and in hair-thin tubes.
-    [[nodiscard]] bool needsPreciseTruth() const { return passesByMargin() || minorRadius < 1e-3F; }
+    [[nodiscard]] bool needsPreciseHits() const { return passesByMargin() || minorRadius < 1e-3F; }
     [[nodiscard]] reference::Torus torus() const { return {1.0F, minorRadius}; }
     /// From here on its rays are clear, in r: see isClear.
     [[nodiscard]] double tangentMargin() const { return passesByMargin() ? margin : judge::clearMargin; }

@@ -25,10 +25,10 @@ std::string replayText(const reference::Torus& torus, const reference::Ray& ray,
         torus.minorRadius, vectorText(ray.origin), vectorText(ray.direction), ray.tMin, ray.tMax);
     text += fmt::format(
         "nearest to a tangent: {:.3g} r; ends of the ray from the surface: {:.3g} r and {:.3g} r\n",
-        replay.truth.clearance, replay.truth.startClearance, replay.truth.stopClearance);
-    text += fmt::format("truth: {} hit(s)\n", replay.truth.count);
-    for (int k = 0; k < replay.truth.count; ++k) {
-        text += fmt::format("  {}\n", hitText(replay.truth.hits[static_cast<std::size_t>(k)]));
+        replay.exact.clearance, replay.exact.startClearance, replay.exact.stopClearance);
+    text += fmt::format("truth: {} hit(s)\n", replay.exact.count);
+    for (int k = 0; k < replay.exact.count; ++k) {
+        text += fmt::format("  {}\n", hitText(replay.exact.hits[static_cast<std::size_t>(k)]));
     }
     const judge::Answers& answers = replay.answers;
     const int count = static_cast<int>(answers.all.count);

@@ -29,19 +29,19 @@ Statistics Verifier::judgeBlock(const RayGroup& group, const std::vector<referen
         Statistics part;
         for (std::size_t i = from; i < to; ++i) {
             const reference::Ray& ray = rays[i];
-            judge::Truth truth =
-                group.needsPreciseTruth() ? judge::preciseTruth(torus, ray) : judge::quickTruth(torus, ray);
-            if (!judge::isClear(truth, group.tangentMargin(), endMargin)) {
+            judge::ExactHits exact =
+                group.needsPreciseHits() ? judge::preciseHits(torus, ray) : judge::quickHits(torus, ray);
+            if (!judge::isClear(exact, group.tangentMargin(), endMargin)) {
                 ++part.rays;
                 ++part.unclear;
                 continue;
             }
-            judge::Judgement judgement = judge::judge(torus, ray, truth, answers[i]);
+            judge::Judgement judgement = judge::judge(torus, ray, exact, answers[i]);
             if (judgement.fault != judge::Fault::None) {  // it must stand before the arbiter
-                truth = judge::arbiterTruth(torus, ray);
-                judgement = judge::judge(torus, ray, truth, answers[i]);
+                exact = judge::arbiterHits(torus, ray);
+                judgement = judge::judge(torus, ray, exact, answers[i]);
             }
-            part.add(torus, ray, truth.count > 0, judgement);
+            part.add(torus, ray, exact.count > 0, judgement);
         }
         const std::scoped_lock lock(mutex);
         total.merge(part);
@@ -70,9 +70,9 @@ Statistics Verifier::verify(const RayGroup& group, std::uint64_t seed, std::uint
 
 Verifier::Replay Verifier::replay(const reference::Torus& torus, const reference::Ray& ray) {
     Replay replay;
-    replay.truth = reference::intersect(torus, ray);
+    replay.exact = reference::intersect(torus, ray);
     replay.answers = queries.answer(torus, {ray}).front();
-    replay.judgement = judge::judge(torus, ray, judge::arbiterTruth(torus, ray), replay.answers);
+    replay.judgement = judge::judge(torus, ray, judge::arbiterHits(torus, ray), replay.answers);
     return replay;
 }
 

@@ -24,7 +24,7 @@ public:
 
     /// One ray, by the arbiter, however near a tangent.
     struct Replay {
-        reference::Intersections truth;
+        reference::Intersections exact;
         judge::Answers answers;
         judge::Judgement judgement;
     };

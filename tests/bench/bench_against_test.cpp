@@ -73,7 +73,7 @@ TEST(BenchAgainst, PutsTheGreatestChangeFirst) {
 TEST(BenchAgainst, SaysThatTheLibraryBecameWrong) {
     const ReferenceTable then = tableOf(madeUpRun(0.5));
     BenchRun now = madeUpRun(0.5);
-    now.cells[0].methods[1].verdicts.gross = 1;
+    now.cells[0].methods[1].correctness.gross = 1;
     const std::string text = againstText(then, now);
     EXPECT_NE(text.find("now wrong"), std::string::npos) << text;
     EXPECT_EQ(againstText(tableOf(now), now).find("now wrong"), std::string::npos) << "it was before";

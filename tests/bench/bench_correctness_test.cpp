@@ -41,13 +41,13 @@ std::vector<float> exactAnswers(Query query, const std::vector<trace::TraceRay>&
 
 class BenchCorrectness : public testing::Test {
 protected:
-    [[nodiscard]] Verdicts judge(Query query, const std::vector<float>& answers) {
-        return truths.judge(query, answers);
+    [[nodiscard]] Correctness judge(Query query, const std::vector<float>& answers) {
+        return expected.judge(query, answers);
     }
     // The first ray whose answer has at least so many hits, and that is judged.
     [[nodiscard]] std::size_t rayWith(int hits) const {
         for (std::size_t i = 0; i < rays.size(); ++i) {
-            const judge::Truth truth = judge::arbiterTruth(ring, trace::asReferenceRay(rays[i]));
+            const judge::ExactHits truth = judge::arbiterHits(ring, trace::asReferenceRay(rays[i]));
             if (truth.count >= hits &&
                 judge::isClear(truth, judge::clearMargin, judge::clearEndMargin(ring))) {
                 return i;
@@ -58,28 +58,28 @@ protected:
     }
 
     std::vector<trace::TraceRay> rays = someRays();
-    Truths truths{ring, rays, 2};
+    ReferenceHits expected{ring, rays, 2};
 };
 
 TEST_F(BenchCorrectness, FindsTheReferenceRight) {
     std::size_t hits = 0;
     for (const Query query : allQueries) {
         const std::vector<float> answers = exactAnswers(query, rays);
-        const Verdicts verdicts = judge(query, answers);
-        EXPECT_GT(verdicts.judged, rayCount * 9 / 10) << nameOf(query);
-        EXPECT_EQ(verdicts.wrong, 0U) << nameOf(query);
-        EXPECT_EQ(verdicts.gross, 0U) << nameOf(query);
+        const Correctness correctness = judge(query, answers);
+        EXPECT_GT(correctness.judged, rayCount * 9 / 10) << nameOf(query);
+        EXPECT_EQ(correctness.wrong, 0U) << nameOf(query);
+        EXPECT_EQ(correctness.gross, 0U) << nameOf(query);
         // Rounded once to float32: 2^-24 in each coordinate, of 1.25 at most.
-        EXPECT_LE(verdicts.positionP99, 9e-8) << nameOf(query);
-        EXPECT_TRUE(verdicts.right());
+        EXPECT_LE(correctness.positionP99, 9e-8) << nameOf(query);
+        EXPECT_TRUE(correctness.right());
         if (query == Query::Any) {
             for (const float answer : answers) {
                 hits += answer != 0.0F ? 1U : 0U;
             }
         }
     }
-    EXPECT_DOUBLE_EQ(truths.hitPart(), static_cast<double>(hits) / rayCount);
-    EXPECT_DOUBLE_EQ(hitPartOf(ring, rays, 1), truths.hitPart());
+    EXPECT_DOUBLE_EQ(expected.hitPart(), static_cast<double>(hits) / rayCount);
+    EXPECT_DOUBLE_EQ(hitPartOf(ring, rays, 1), expected.hitPart());
 }
 
 TEST_F(BenchCorrectness, CountsAWrongVerdict) {
@@ -88,10 +88,10 @@ TEST_F(BenchCorrectness, CountsAWrongVerdict) {
             std::vector<float> answers = exactAnswers(query, rays);
             float& first = answers[rayWith(hits) * answerFloats(query)];
             first = first != 0.0F ? 0.0F : 1.0F;
-            const Verdicts verdicts = judge(query, answers);
-            EXPECT_EQ(verdicts.wrong, 1U) << nameOf(query);
-            EXPECT_EQ(verdicts.gross, 0U) << nameOf(query);
-            EXPECT_FALSE(verdicts.right());
+            const Correctness correctness = judge(query, answers);
+            EXPECT_EQ(correctness.wrong, 1U) << nameOf(query);
+            EXPECT_EQ(correctness.gross, 0U) << nameOf(query);
+            EXPECT_FALSE(correctness.right());
         }
     }
 }

@@ -25,7 +25,7 @@ const Workload tiles{Mode::Made, Pattern::Tiles, 0.25F, 3.0, 50};
 const Workload scattered{Mode::Made, Pattern::Scattered, 0.25F, 3.0, 50};
 
 // Both patterns at an opening at which some rays hit and some do not.
-View viewOf(const Workload& workload) {
+RayView viewOf(const Workload& workload) {
     return makeView(workload, 64, test::freshSeed(), 1.5);
 }
 
@@ -40,7 +40,7 @@ protected:
 
 TEST_F(BenchDevice, MakesTheRaysOfTheView) {
     for (const Workload& workload : {tiles, scattered}) {
-        const View view = viewOf(workload);
+        const RayView view = viewOf(workload);
         const std::vector<trace::TraceRay> rays = kernel.rays(workload.pattern, view);
         ASSERT_EQ(rays.size(), kernel.rayCount());
         std::vector<float> first;
@@ -58,7 +58,7 @@ TEST_F(BenchDevice, MakesTheRaysOfTheView) {
 }
 
 TEST_F(BenchDevice, PutsThePixelsOfATileBesideEachOther) {
-    const View view = viewOf(tiles);
+    const RayView view = viewOf(tiles);
     const std::vector<trace::TraceRay> rays = kernel.rays(Pattern::Tiles, view);
     // Ray 64 k + i is pixel i of tile k; 8 tiles a row of 64 pixels.
     for (const std::size_t index : {0U, 1U, 8U, 63U, 64U, 64U * 8U, 4095U}) {
@@ -76,7 +76,7 @@ TEST_F(BenchDevice, PutsThePixelsOfATileBesideEachOther) {
 }
 
 TEST_F(BenchDevice, ScattersOtherRaysForAnotherSeed) {
-    View view = viewOf(scattered);
+    RayView view = viewOf(scattered);
     const std::vector<trace::TraceRay> rays = kernel.rays(Pattern::Scattered, view);
     const auto same = [&rays](const std::vector<trace::TraceRay>& others) {
         return std::memcmp(rays.data(), others.data(), rays.size() * sizeof(trace::TraceRay)) == 0;
@@ -89,7 +89,7 @@ TEST_F(BenchDevice, ScattersOtherRaysForAnotherSeed) {
 // The library's answers have the bits of those that trace.comp gives to the rays as they were written out.
 TEST_F(BenchDevice, AnswersTheRaysThatItWrites) {
     for (const Workload& workload : {tiles, scattered}) {
-        const View view = viewOf(workload);
+        const RayView view = viewOf(workload);
         const std::vector<trace::TraceRay> rays = kernel.rays(workload.pattern, view);
         for (const Query query : allQueries) {
             const std::vector<float> answers =
@@ -115,7 +115,7 @@ TEST_F(BenchDevice, AnswersTheRaysThatItWrites) {
 
 TEST_F(BenchDevice, AddsUpWhatItAnswers) {
     for (const Workload& workload : {tiles, scattered}) {
-        const View view = viewOf(workload);
+        const RayView view = viewOf(workload);
         for (const Query query : allQueries) {
             const TimedMethod ours = methodNamed(ourName);
             const std::vector<float> answers = kernel.answers(ours, query, workload.pattern, view);
@@ -160,10 +160,10 @@ TEST_F(BenchMeasure, CatchesAPlantedWrongMethod) {
             SCOPED_TRACE(cell.workload.name() + " " + nameOf(cell.query));
             // Aiming looks at all 4096 rays; its last step moves them by less than a hundredth.
             EXPECT_NEAR(cell.hitPart, 0.01 * cell.workload.hitPercent, 0.02);
-            EXPECT_TRUE(resultOf(cell, ourName).verdicts.right());
-            const Verdicts& planted = resultOf(cell, "planted").verdicts;
+            EXPECT_TRUE(resultOf(cell, ourName).correctness.right());
+            const Correctness& planted = resultOf(cell, "planted").correctness;
             EXPECT_GT(planted.judged, 3500U);
-            EXPECT_EQ(planted.judged, resultOf(cell, ourName).verdicts.judged);
+            EXPECT_EQ(planted.judged, resultOf(cell, ourName).correctness.judged);
             // An eighth of the rays each, of those that hit or of all.
             EXPECT_GT(planted.wrong, 100U);
             if (cell.query != Query::Any) {
@@ -186,7 +186,7 @@ TEST_F(BenchMeasure, CatchesAMethodThatAnswersOtherwiseWhenAskedAgain) {
         ASSERT_EQ(cells.size(), 1U);
         EXPECT_EQ(resultOf(cells[0], "fickle").layers, workload.mode == Mode::Streamed ? 16U : 3U);
         EXPECT_FALSE(resultOf(cells[0], "fickle").checksumHeld);
-        EXPECT_TRUE(resultOf(cells[0], "fickle").verdicts.right()) << "asked once it is right";
+        EXPECT_TRUE(resultOf(cells[0], "fickle").correctness.right()) << "asked once it is right";
         EXPECT_TRUE(resultOf(cells[0], ourName).checksumHeld);
     }
 }
@@ -212,8 +212,8 @@ TEST_F(BenchMeasure, RunsEveryMethod) {
             EXPECT_TRUE(method.checksumHeld);
             EXPECT_GT(method.times.minimum, 0.0);
             // From 3 R, at r = R / 4, all but the floors are right on nearly every ray.
-            const double bad = static_cast<double>(method.verdicts.wrong + method.verdicts.gross);
-            const double part = bad / std::max(1.0, static_cast<double>(method.verdicts.judged));
+            const double bad = static_cast<double>(method.correctness.wrong + method.correctness.gross);
+            const double part = bad / std::max(1.0, static_cast<double>(method.correctness.judged));
             if (method.name == "ray-sphere" || method.name == "exact-ends") {
                 EXPECT_GT(part, 0.04);  // culling alone is right on nine scattered rays of ten
             } else {

@@ -131,7 +131,7 @@ TEST(BenchSummary, HoldsTheAimsAgainstTheRatios) {
 TEST(BenchSummary, NamesTheFaultsOfTheLibraryAlone) {
     BenchRun run = madeUpRun(0.5);
     EXPECT_TRUE(libraryFaults(run).empty()) << "the sphere is wrong, and that is no fault of ours";
-    run.cells[1].methods[1].verdicts.gross = 3;
+    run.cells[1].methods[1].correctness.gross = 3;
     run.cells[2].methods[1].checksumHeld = false;
     EXPECT_EQ(libraryFaults(run),
               (std::vector<std::string>{"tiles/0.25/near/30 any: the library is wrong on 3 of 1000 rays",

@@ -14,10 +14,10 @@ bench::MethodResult method(const char* name, double netMinimum, double ratio, st
     result.times.lowerQuartile = 0.98 * ratio;
     result.times.middleRatio = ratio;
     result.times.upperQuartile = 1.02 * ratio;
-    result.verdicts.judged = 1000;
+    result.correctness.judged = 1000;
     result.layers = 2;
-    result.verdicts.wrong = wrong;
-    result.verdicts.positionP99 = 5e-8;
+    result.correctness.wrong = wrong;
+    result.correctness.positionP99 = 5e-8;
     return result;
 }
 

@@ -84,14 +84,14 @@ double partOf(double opening) {
 TEST(BenchViews, AreAimedForThePartOfHits) {
     for (const Workload& workload : allWorkloads()) {
         const double r = double{workload.minorRadius};
-        const auto hitPart = [&](const View& view) {
+        const auto hitPart = [&](const RayView& view) {
             const double half =
                 workload.pattern == Pattern::Scattered
                     ? double{view.spread}
                     : 32.0 * std::hypot(double{view.right[0]}, double{view.right[1]}, double{view.right[2]});
             return partOf(half / r);
         };
-        const View view = aim(workload, 64, 1, hitPart);
+        const RayView view = aim(workload, 64, 1, hitPart);
         // Bisection ends within 1e-4 of the opening.
         EXPECT_NEAR(hitPart(view), 0.01 * workload.hitPercent, 1e-3) << workload.name();
     }
@@ -99,7 +99,7 @@ TEST(BenchViews, AreAimedForThePartOfHits) {
 
 TEST(BenchViews, LookAtTheMiddleOfTheTubeFromTheDistance) {
     const Workload workload{Mode::Made, Pattern::Tiles, 0.25F, 1000.0, 30};
-    const View view = makeView(workload, 64, 77, 0.01);
+    const RayView view = makeView(workload, 64, 77, 0.01);
     double origin2 = 0.0;
     double aimed[3];
     for (std::size_t i = 0; i < 3; ++i) {

@@ -147,7 +147,7 @@ TEST(ExplainExact, NumbersOfARayThroughTheCentre) {
     EXPECT_TRUE(s.alpha == -1.25 && s.cz == 0 && s.beta == 0.5625);
     EXPECT_TRUE(s.direction[0] == 1 && s.origin[0] == 0);
     EXPECT_TRUE(s.coefficients[0] == 16 * 59.0625 && s.coefficients[4] == 16);
-    EXPECT_EQ(s.rootCase, Case::Biquadratic);
+    EXPECT_EQ(s.rootCase, RootCase::Biquadratic);
 }
 
 // The axis of a horn: a fourfold root, of which the reference says two are hits and the inner sheet has the
@@ -165,26 +165,27 @@ TEST(ExplainExact, Cases) {
     const Torus ring{1.0F, 0.25F};
     struct Row {
         Ray ray;
-        Case rootCase;
+        RootCase rootCase;
         std::size_t roots;
     };
-    for (const Row& row : {Row{{{-3.0F, 0.3F, 0.1F}, 0.0F, {1.0F, 0.1F, -0.02F}, far}, Case::FourOrNone, 4},
-                           Row{{{-3.0F, 0.2F, 0.4F}, 0.0F, {1.0F, 0.1F, 0.02F}, far}, Case::FourOrNone, 0},
-                           Row{{{-3.0F, 0.3F, 0.1F}, 0.0F, {1.0F, 0.1F, 0.05F}, far}, Case::Two, 2},
-                           Row{{{1.0F, 0.0F, 3.0F}, 0.0F, {0.0F, 0.0F, -1.0F}, far}, Case::Biquadratic, 2}}) {
+    for (const Row& row :
+         {Row{{{-3.0F, 0.3F, 0.1F}, 0.0F, {1.0F, 0.1F, -0.02F}, far}, RootCase::FourOrNone, 4},
+          Row{{{-3.0F, 0.2F, 0.4F}, 0.0F, {1.0F, 0.1F, 0.02F}, far}, RootCase::FourOrNone, 0},
+          Row{{{-3.0F, 0.3F, 0.1F}, 0.0F, {1.0F, 0.1F, 0.05F}, far}, RootCase::Two, 2},
+          Row{{{1.0F, 0.0F, 3.0F}, 0.0F, {0.0F, 0.0F, -1.0F}, far}, RootCase::Biquadratic, 2}}) {
         EXPECT_EQ(stepsOf(ring, row.ray).rootCase, row.rootCase);
         EXPECT_EQ(rootsOf(ring, row.ray).size(), row.roots);
     }
     EXPECT_EQ(stepsOf({0.0F, 1.0F}, {{1.0F, 0.0F, 3.0F}, 0.0F, {0.0F, 0.0F, -1.0F}, far}).rootCase,
-              Case::None);
+              RootCase::None);
     // R + 0.6 r, 0.8 r is a point of the tube; from it along both tangents.
     const Steps<Quad> tangent =
         stepsOf({2.0F, 0.625F}, {{2.375F, 0.0F, 0.5F}, 0.0F, {-4.0F, 4.0F, 3.0F}, far});
     EXPECT_TRUE(tangent.cz != 0);
-    EXPECT_EQ(tangent.rootCase, Case::Multiple);
+    EXPECT_EQ(tangent.rootCase, RootCase::Multiple);
     // One ulp aside there is no double root.
     EXPECT_NE(stepsOf({2.0F, 0.625F}, {{2.3750002F, 0.0F, 0.5F}, 0.0F, {-4.0F, 4.0F, 3.0F}, far}).rootCase,
-              Case::Multiple);
+              RootCase::Multiple);
 }
 
 }  // namespace

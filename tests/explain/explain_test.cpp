@@ -73,8 +73,8 @@ TEST_F(Explain, TheStepsAreTheExactOnesRounded) {
     EXPECT_LT(explain::ulpError(e.shader.delta, e.exact.delta), 64.0);
     EXPECT_LT(explain::ulpError(e.shader.y, e.exact.y), 64.0);
     EXPECT_LT(explain::ulpError(e.shader.S, e.exact.S), 64.0);
-    EXPECT_EQ(e.shader.rootCase, Case::FourOrNone);
-    EXPECT_EQ(e.exact.rootCase, Case::FourOrNone);
+    EXPECT_EQ(e.shader.rootCase, RootCase::FourOrNone);
+    EXPECT_EQ(e.exact.rootCase, RootCase::FourOrNone);
     EXPECT_FALSE(e.shader.zeta || e.exact.zeta);
     EXPECT_EQ(e.closedForm.size(), 4U);
     EXPECT_LT(e.closedForms.position, 1e-5);

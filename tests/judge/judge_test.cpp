@@ -28,7 +28,7 @@ struct Said {
     float any = 1.0F;
 
     [[nodiscard]] Judgement judged(const reference::Ray& about = alongX) const {
-        return judge(ring, about, arbiterTruth(ring, about), {nearest, all, any});
+        return judge(ring, about, arbiterHits(ring, about), {nearest, all, any});
     }
 };
 
@@ -141,12 +141,12 @@ TEST(Truth, IsTheArbitersOnClearRays) {
         const reference::Torus shape = group.torus();
         for (std::uint64_t i = 0; i < 8; ++i) {
             const reference::Ray drawn = group.ray(11, i);
-            const Truth exact = arbiterTruth(shape, drawn);
+            const ExactHits exact = arbiterHits(shape, drawn);
             if (!isClear(exact, group.tangentMargin(), 0.0)) {
                 continue;
             }
-            const bool precise = group.needsPreciseTruth();
-            const Truth fast = precise ? preciseTruth(shape, drawn) : quickTruth(shape, drawn);
+            const bool precise = group.needsPreciseHits();
+            const ExactHits fast = precise ? preciseHits(shape, drawn) : quickHits(shape, drawn);
             const double bound = (precise ? 1e-15 : 1e-10) * (1.0 + static_cast<double>(group.minorRadius));
             ASSERT_EQ(fast.count, exact.count) << reference::hexFloats(shape, drawn);
             EXPECT_NEAR(fast.clearance, exact.clearance, 1e-9 + 1e-9 * exact.clearance);

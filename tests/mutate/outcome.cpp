@@ -16,7 +16,7 @@ std::string nameOfCheck(const std::string& caught) {
     return caught.substr(0, caught.find(':'));
 }
 
-std::string cell(const Verdict& verdict, const char* notAsked) {
+std::string cell(const SuiteVerdict& verdict, const char* notAsked) {
     if (!verdict.asked) {
         return notAsked;
     }
@@ -27,7 +27,7 @@ const char* goldensNotAsked(const Outcome& outcome) {
     return outcome.mutation.shows == Shows::InNumbers ? "(not in pictures)" : "(same code)";
 }
 
-nlohmann::ordered_json jsonOf(const Verdict& verdict) {
+nlohmann::ordered_json jsonOf(const SuiteVerdict& verdict) {
     nlohmann::ordered_json json = {{"asked", verdict.asked}, {"caughtBy", nullptr}};
     if (verdict.caught) {
         json["caughtBy"] = *verdict.caught;

@@ -11,16 +11,16 @@
 namespace raytorus::mutate {
 
 /// What a suite of tests made of a mutation.
-struct Verdict {
+struct SuiteVerdict {
     bool asked = false;                 ///< false where it has nothing to say: see Shows and Mutant::changes
     std::optional<std::string> caught;  ///< by which case or check; nothing: the mutation survived
 };
 
 struct Outcome {
     Mutation mutation;
-    Verdict goldens;                  ///< by their truths
+    SuiteVerdict goldens;             ///< by their truths
     std::optional<std::string> bits;  ///< the golden case in which a CPU driver drew other bits than before
-    Verdict numbers;
+    SuiteVerdict numbers;
 
     [[nodiscard]] bool caught() const { return goldens.caught || numbers.caught; }
 };

@@ -35,13 +35,13 @@ Trial leavingFrom(const FastAnswer& asked, reference::Random& random) {
 TEST(FastTierLeaving, NoRayMeetsTheSurfaceThatItLeaves) {
     int judged = 0;
     forFastRays([&](const FastAnswer& asked) {
-        if (asked.count() == 0 || asked.truth.clearance < reference::clearMargin) {
+        if (asked.count() == 0 || asked.exact.clearance < reference::clearMargin) {
             return;
         }
         reference::Random random = freshNumbers(static_cast<std::uint64_t>(++judged));
         const Trial leaving = leavingFrom(asked, random);
         const auto [R, r] = leaving.torus;
-        const Truth truth = truthOf(leaving);
+        const ExactHits truth = exactHitsOf(leaving);
         const Long near = 1e-3L * Long{r};
         int expected = 0;
         for (int k = 0; k < truth.count; ++k) {

@@ -17,7 +17,7 @@ constexpr std::uint64_t raysEach = 40;
 
 }  // namespace
 
-Truth truthOf(const Trial& trial) {
+ExactHits exactHitsOf(const Trial& trial) {
     return reference::intersectAs<DoubleDouble>(reference::BasicTorus<DoubleDouble>(trial.torus),
                                                 reference::BasicRay<DoubleDouble>(trial.ray));
 }
@@ -45,7 +45,7 @@ void forFastRays(const std::function<void(const FastAnswer&)>& check) {
                 parameters.seed = freshSeed();
                 for (const reference::Ray& ray : reference::generateRays(rayClass, parameters, raysEach)) {
                     const Trial trial{parameters.torus, ray};
-                    check({trial, truthOf(trial), fastTier().all(1.0F, r, trace::asTraceRay(ray))});
+                    check({trial, exactHitsOf(trial), fastTier().all(1.0F, r, trace::asTraceRay(ray))});
                     if (testing::Test::HasFatalFailure()) {
                         return;
                     }

@@ -10,13 +10,13 @@
 
 namespace raytorus::test {
 
-using Truth = reference::BasicIntersections<reference::DoubleDouble>;
+using ExactHits = reference::BasicIntersections<reference::DoubleDouble>;
 
-Truth truthOf(const Trial& trial);
+ExactHits exactHitsOf(const Trial& trial);
 
 struct FastAnswer {
     Trial trial;
-    Truth truth;
+    ExactHits exact;
     trace::AllHits all;
 
     [[nodiscard]] int count() const { return static_cast<int>(all.count); }

@@ -46,12 +46,12 @@ TEST(FastTier, AHitJustBeyondTheRaysEndIsNone) {
     int any = 0;
     forFastRays([&](const FastAnswer& asked) {
         const auto [R, r] = asked.trial.torus;
-        if (asked.truth.count == 0 || asked.truth.clearance < 0.1 || r > 1 || asked.nearTip()) {
+        if (asked.exact.count == 0 || asked.exact.clearance < 0.1 || r > 1 || asked.nearTip()) {
             return;
         }
         const reference::QuadVec3 d = reference::toQuad(asked.trial.ray.direction);
         const double length = std::sqrt(reference::toDouble(reference::dot(d, d)));
-        const double t = asked.truth.hits[0].t.high;
+        const double t = asked.exact.hits[0].t.high;
         TraceRay ray = trace::asTraceRay(asked.trial.ray);
         ray.tMax = static_cast<float>(t - 5e-6 / length);
         // From afar t has an ulp as long as that.
@@ -80,8 +80,8 @@ TEST(FastTier, HitsAreInPairsInOrderAndWithinTheRay) {
             ASSERT_LE(asked.all.t[k], ray.tMax) << asked.trial.text();
         }
         if (asked.hasClearEnds() && !asked.nearTip()) {
-            touching += asked.truth.clearance < 1e-4 ? 1 : 0;
-            ASSERT_EQ(asked.count() % 2, asked.truth.count % 2) << asked.trial.text();
+            touching += asked.exact.clearance < 1e-4 ? 1 : 0;
+            ASSERT_EQ(asked.count() % 2, asked.exact.count % 2) << asked.trial.text();
         }
     });
     EXPECT_GT(touching, 500);
@@ -98,11 +98,11 @@ TEST(FastTier, ClearRaysAreRight) {
             return;
         }
         ++judged;
-        ASSERT_EQ(asked.count(), asked.truth.count) << asked.trial.text();
+        ASSERT_EQ(asked.count(), asked.exact.count) << asked.trial.text();
         for (int k = 0; k < asked.count(); ++k) {
             double off2 = 0;
             for (int axis = 0; axis < 3; ++axis) {
-                const double exact = asked.truth.hits[static_cast<std::size_t>(k)]
+                const double exact = asked.exact.hits[static_cast<std::size_t>(k)]
                                          .position[static_cast<std::size_t>(axis)]
                                          .high;
                 const double off = exact - double{asked.all.position[k][axis]};

@@ -34,7 +34,7 @@ bool haveSameBits(float a, float b) {
 }
 
 // The hits of the whole line, and which of them the ray must have, may have, or cannot have.
-struct Truth {
+struct ExpectedHits {
     int count = 0;
     std::array<Hit, 4> hits;
     unsigned must = 0;  // a bit a hit
@@ -62,42 +62,43 @@ struct Line {
 };
 
 // The hit nearest to an end of the ray may go either way if the end lies on the surface.
-void loosenEnd(Truth& truth, const Line& line, Quad end) {
+void loosenEnd(ExpectedHits& expected, const Line& line, Quad end) {
     const double r{line.torus.minorRadius};
     const double margin = judge::clearEndMargin(line.torus) * r;
-    if (truth.count == 0 || !(absolute(end) <= absolute(largestFloat)) || !(line.distanceAt(end) < margin)) {
+    if (expected.count == 0 || !(absolute(end) <= absolute(largestFloat)) ||
+        !(line.distanceAt(end) < margin)) {
         return;
     }
     int nearest = 0;
-    for (int k = 1; k < truth.count; ++k) {
+    for (int k = 1; k < expected.count; ++k) {
         const auto i = static_cast<std::size_t>(k), j = static_cast<std::size_t>(nearest);
-        nearest = absolute(truth.hits[i].t - end) < absolute(truth.hits[j].t - end) ? k : nearest;
+        nearest = absolute(expected.hits[i].t - end) < absolute(expected.hits[j].t - end) ? k : nearest;
     }
-    truth.endsOnSurface = true;
-    truth.may |= 1U << nearest;
+    expected.endsOnSurface = true;
+    expected.may |= 1U << nearest;
 }
 
-Truth truthOf(const Line& line) {
+ExpectedHits expectedOf(const Line& line) {
     reference::Ray whole = line.ray;
     whole.tMin = -infinity;
     whole.tMax = infinity;
     const reference::Intersections found = reference::intersect(line.torus, whole);
-    Truth truth;
-    truth.count = line.ray.tMin <= line.ray.tMax ? found.count : 0;
-    truth.hits = found.hits;
+    ExpectedHits expected;
+    expected.count = line.ray.tMin <= line.ray.tMax ? found.count : 0;
+    expected.hits = found.hits;
     const double r{line.torus.minorRadius};
-    truth.odd = line.inside(line.ray.tMin) != line.inside(line.ray.tMax);
-    truth.touches = found.clearance * r <= tangentMargin * line.size;
-    for (int k = 0; k < truth.count; ++k) {
-        const Quad t = truth.hits[static_cast<std::size_t>(k)].t;
+    expected.odd = line.inside(line.ray.tMin) != line.inside(line.ray.tMax);
+    expected.touches = found.clearance * r <= tangentMargin * line.size;
+    for (int k = 0; k < expected.count; ++k) {
+        const Quad t = expected.hits[static_cast<std::size_t>(k)].t;
         // A t that no float holds is no hit.
         if (t >= Quad(line.ray.tMin) && t <= Quad(line.ray.tMax) && t >= -largestFloat && t <= largestFloat) {
-            truth.must |= 1U << k;
+            expected.must |= 1U << k;
         }
     }
-    loosenEnd(truth, line, Quad(line.ray.tMin));
-    loosenEnd(truth, line, Quad(line.ray.tMax));
-    return truth;
+    loosenEnd(expected, line, Quad(line.ray.tMin));
+    loosenEnd(expected, line, Quad(line.ray.tMax));
+    return expected;
 }
 
 // One hit against the exact one. Where a pair touches, rounding decides the place along the line (a depth of
@@ -127,12 +128,13 @@ std::string misplaced(const Line& line, const Hit* exact, const float (&position
 }
 
 // The answer that holds the hits of `taken`; empty if it does.
-std::string differs(const Line& line, const Truth& truth, unsigned taken, const trace::AllHits& all) {
+std::string differs(const Line& line, const ExpectedHits& expected, unsigned taken,
+                    const trace::AllHits& all) {
     int index = 0;
-    for (int k = 0; k < truth.count; ++k) {
+    for (int k = 0; k < expected.count; ++k) {
         if ((taken >> k & 1U) != 0) {
-            const std::string fault =
-                misplaced(line, &truth.hits[static_cast<std::size_t>(k)], all.position[index], all.t[index]);
+            const std::string fault = misplaced(line, &expected.hits[static_cast<std::size_t>(k)],
+                                                all.position[index], all.t[index]);
             if (!fault.empty()) {
                 return fmt::format("hit {}: {}", index, fault);
             }
@@ -144,7 +146,7 @@ std::string differs(const Line& line, const Truth& truth, unsigned taken, const 
 
 // Where the line touches, rounding decides about pairs, the reference's own too: every hit must be one, and
 // their number even from outside and odd from inside.
-std::string touchingFault(const Line& line, const Truth& truth, const trace::AllHits& all) {
+std::string touchingFault(const Line& line, const ExpectedHits& expected, const trace::AllHits& all) {
     const int count = static_cast<int>(all.count);
     for (int k = 0; k < count; ++k) {
         const std::string fault = misplaced(line, nullptr, all.position[k], all.t[k]);
@@ -153,20 +155,21 @@ std::string touchingFault(const Line& line, const Truth& truth, const trace::All
         }
     }
     const bool odd = count % 2 != 0;
-    return truth.endsOnSurface || odd == truth.odd ? "" : fmt::format("{} hits where a line touches", count);
+    return expected.endsOnSurface || odd == expected.odd ? ""
+                                                         : fmt::format("{} hits where a line touches", count);
 }
 
-std::string disagreement(const Line& line, const Truth& truth, const Answers& answers) {
+std::string disagreement(const Line& line, const ExpectedHits& expected, const Answers& answers) {
     const trace::NearestHit& nearest = answers.nearest;
     const trace::AllHits& all = answers.all;
-    if (!truth.endsOnSurface) {
+    if (!expected.endsOnSurface) {
         return judge::agree(answers)
                    ? std::string()
                    : fmt::format("{} hits, the first at t {:a}; nearest {} at t {:a}; any {}", all.count,
                                  all.t[0], nearest.hit, nearest.t, answers.any);
     }
     // Each function decides for itself about a hit at an end.
-    const unsigned sure = truth.touches ? 0 : truth.must & ~truth.may;
+    const unsigned sure = expected.touches ? 0 : expected.must & ~expected.may;
     if (sure != 0 && (nearest.hit == 0.0F || answers.any == 0.0F)) {
         return fmt::format("a hit within the ray is missed: nearest {}, any {}", nearest.hit, answers.any);
     }
@@ -174,10 +177,10 @@ std::string disagreement(const Line& line, const Truth& truth, const Answers& an
         return {};
     }
     std::string fault = "the nearest hit is none";
-    for (int k = 0; k < truth.count && !fault.empty(); ++k) {
-        if (((truth.must | truth.may) >> k & 1U) != 0) {
+    for (int k = 0; k < expected.count && !fault.empty(); ++k) {
+        if (((expected.must | expected.may) >> k & 1U) != 0) {
             const std::string here =
-                misplaced(line, truth.touches ? nullptr : &truth.hits[static_cast<std::size_t>(k)],
+                misplaced(line, expected.touches ? nullptr : &expected.hits[static_cast<std::size_t>(k)],
                           nearest.position, nearest.t);
             fault = here.empty() ? "" : "nearest: " + here;
         }
@@ -225,22 +228,22 @@ std::string mismatch(const reference::Torus& torus, const reference::Ray& ray, c
     }
     const Line line{torus, ray, double{torus.majorRadius} + double{torus.minorRadius},
                     length(reference::toQuad(ray.direction))};
-    const Truth truth = truthOf(line);
-    fault = disagreement(line, truth, answers);
+    const ExpectedHits expected = expectedOf(line);
+    fault = disagreement(line, expected, answers);
     if (!fault.empty()) {
         return fault;
     }
-    if (truth.touches) {
-        return touchingFault(line, truth, answers.all);
+    if (expected.touches) {
+        return touchingFault(line, expected, answers.all);
     }
     const int count = static_cast<int>(answers.all.count);
-    fault = fmt::format("{} hits instead of {}", count, std::popcount(truth.must));
-    for (unsigned taken = 0; taken < 1U << truth.count; ++taken) {
+    fault = fmt::format("{} hits instead of {}", count, std::popcount(expected.must));
+    for (unsigned taken = 0; taken < 1U << expected.count; ++taken) {
         // What the ray must have and may have differ by the hits at its ends.
         const bool allowed =
-            (taken & ~(truth.must | truth.may)) == 0 && (truth.must & ~(taken | truth.may)) == 0;
+            (taken & ~(expected.must | expected.may)) == 0 && (expected.must & ~(taken | expected.may)) == 0;
         if (allowed && std::popcount(taken) == count) {
-            fault = differs(line, truth, taken, answers.all);
+            fault = differs(line, expected, taken, answers.all);
             if (fault.empty()) {
                 return {};
             }

@@ -57,7 +57,7 @@ TEST_F(ExtremeRanges, ThinAndThickToriAreRightOnClearRays) {
                     continue;
                 }
                 const auto rays = reference::generateRays(rayClass, parameters, raysPerCase);
-                const test::Judgement judgement = judge.judge(torus, rays, name);
+                const test::HitTally judgement = judge.judge(torus, rays, name);
                 judged += judgement.judged;
                 for (const std::string& fault : judgement.faults) {
                     ADD_FAILURE() << fault;

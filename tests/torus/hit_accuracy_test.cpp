@@ -26,7 +26,7 @@ class HitAccuracy : public test::DeviceTest, public testing::WithParamInterface<
 TEST_P(HitAccuracy, ClearRaysAreRight) {
     constexpr std::uint64_t raysPerCase = 600;
     test::HitJudge judge(raysPerCase);
-    test::Judgement all;
+    test::HitTally all;
     for (const float minorRadius : {0.001F, 0.01F, 0.05F, 0.1F, 0.25F, 0.5F, 0.9F, 1.0F, 1.5F}) {
         for (const double distance : {1.5, 3.0, 10.0, 100.0, 1e3, 1e4, 1e6}) {
             reference::RayParameters parameters;
@@ -36,7 +36,7 @@ TEST_P(HitAccuracy, ClearRaysAreRight) {
             const std::string name = fmt::format("{} r/R {} D/R {} seed {}", reference::nameOf(GetParam()),
                                                  minorRadius, distance, parameters.seed);
             const auto rays = reference::generateRays(GetParam(), parameters, raysPerCase);
-            const test::Judgement judgement = judge.judge(parameters.torus, rays, name);
+            const test::HitTally judgement = judge.judge(parameters.torus, rays, name);
             for (const std::string& fault : judgement.faults) {
                 ADD_FAILURE() << fault;
             }
@@ -70,7 +70,7 @@ TEST_F(Grazing, VerdictsAreNearlyAlwaysRight) {
             std::array{0.001F, 0.01F, 0.1F, 0.25F, 0.5F, 1.0F}[static_cast<std::size_t>(i) % 6];
         const double margin = i < 6 ? 3e-6 : 3e-5;
         const double mayBeWrong = minorRadius < 0.1F ? 1.5e-3 : 2.5e-4;  // in parts of the rays
-        test::Judgement all;
+        test::HitTally all;
         for (const double distance : {1.5, 3.0, 10.0, 100.0}) {
             reference::RayParameters parameters;
             parameters.torus = {1.0F, minorRadius};
@@ -78,7 +78,7 @@ TEST_F(Grazing, VerdictsAreNearlyAlwaysRight) {
             parameters.margin = margin;
             parameters.seed = test::freshSeed();
             const auto rays = reference::generateRays(RayClass::grazing, parameters, raysPerCase);
-            const test::Judgement judgement = judge.judgeVerdicts(parameters.torus, rays, "grazing");
+            const test::HitTally judgement = judge.judgeVerdicts(parameters.torus, rays, "grazing");
             all.judged += judgement.judged;
             all.faultCount += judgement.faultCount;
             all.faults.insert(all.faults.end(), judgement.faults.begin(), judgement.faults.end());

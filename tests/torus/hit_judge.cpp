@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t shownFaults = 5;
 
-void addFault(Judgement& judgement, const std::string& what, const std::string& name, std::size_t index,
+void addFault(HitTally& judgement, const std::string& what, const std::string& name, std::size_t index,
               const reference::Torus& torus, const reference::Ray& ray) {
     if (!what.empty() && ++judgement.faultCount <= shownFaults) {
         judgement.faults.push_back(
@@ -23,7 +23,8 @@ void addFault(Judgement& judgement, const std::string& what, const std::string& 
 }
 
 // What is wrong with the answers to a ray, for people; empty if nothing is.
-std::string faultOf(const judge::Judgement& judged, const judge::Truth& truth, const trace::AllHits& all) {
+std::string faultOf(const judge::Judgement& judged, const judge::ExactHits& truth,
+                    const trace::AllHits& all) {
     if (judged.fault == judge::Fault::WrongCount) {
         return fmt::format("{} hits instead of {}", all.count, truth.count);
     }
@@ -31,7 +32,7 @@ std::string faultOf(const judge::Judgement& judged, const judge::Truth& truth, c
 }
 
 // The first of a ray's hits that is not where it must be; empty if none is. Notes how far off each is.
-std::string misplaced(const judge::Judgement& judged, Judgement& judgement) {
+std::string misplaced(const judge::Judgement& judged, HitTally& judgement) {
     for (int k = 0; k < judged.hitCount; ++k) {
         const judge::HitErrors& errors = judged.errors[static_cast<std::size_t>(k)];
         judgement.offSurface = std::max(judgement.offSurface, errors.surface);
@@ -51,13 +52,13 @@ std::string misplaced(const judge::Judgement& judged, Judgement& judgement) {
 
 HitJudge::HitJudge(std::size_t capacity) : queries(device(), capacity) {}
 
-Judgement HitJudge::judgeAll(const reference::Torus& torus, const std::vector<reference::Ray>& rays,
-                             const std::string& name, bool clearOnly) {
+HitTally HitJudge::judgeAll(const reference::Torus& torus, const std::vector<reference::Ray>& rays,
+                            const std::string& name, bool clearOnly) {
     const std::vector<judge::Answers> answers = queries.answer(torus, rays);
     const double endMargin = judge::clearEndMargin(torus);
-    Judgement judgement;
+    HitTally judgement;
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        const judge::Truth truth = judge::arbiterTruth(torus, rays[i]);
+        const judge::ExactHits truth = judge::arbiterHits(torus, rays[i]);
         if (!judge::isClear(truth, clearOnly ? judge::clearMargin : 0.0, endMargin)) {
             ++judgement.unclear;
             continue;
@@ -77,13 +78,13 @@ Judgement HitJudge::judgeAll(const reference::Torus& torus, const std::vector<re
     return judgement;
 }
 
-Judgement HitJudge::judge(const reference::Torus& torus, const std::vector<reference::Ray>& rays,
-                          const std::string& name) {
+HitTally HitJudge::judge(const reference::Torus& torus, const std::vector<reference::Ray>& rays,
+                         const std::string& name) {
     return judgeAll(torus, rays, name, true);
 }
 
-Judgement HitJudge::judgeVerdicts(const reference::Torus& torus, const std::vector<reference::Ray>& rays,
-                                  const std::string& name) {
+HitTally HitJudge::judgeVerdicts(const reference::Torus& torus, const std::vector<reference::Ray>& rays,
+                                 const std::string& name) {
     return judgeAll(torus, rays, name, false);
 }
 

@@ -12,7 +12,7 @@
 namespace raytorus::test {
 
 /// What went wrong, or how far off what went right was.
-struct Judgement {
+struct HitTally {
     std::size_t judged = 0;   ///< rays whose verdict is clear
     std::size_t unclear = 0;  ///< rays too near a tangent, or with a hit too near one of their ends
     std::size_t hits = 0;     ///< judged rays that hit
@@ -30,21 +30,21 @@ public:
     explicit HitJudge(std::size_t capacity);
 
     /// `name` tells a failing ray's origin.
-    Judgement judge(const reference::Torus& torus, const std::vector<reference::Ray>& rays,
-                    const std::string& name);
+    HitTally judge(const reference::Torus& torus, const std::vector<reference::Ray>& rays,
+                   const std::string& name);
 
     /// Verdicts and counts alone, of all rays whose ends are clear: near a tangent there is nothing else to
     /// ask, since the hits move without bound with the rounding of the ray.
-    Judgement judgeVerdicts(const reference::Torus& torus, const std::vector<reference::Ray>& rays,
-                            const std::string& name);
+    HitTally judgeVerdicts(const reference::Torus& torus, const std::vector<reference::Ray>& rays,
+                           const std::string& name);
 
     /// Of each ray, however near to a tangent, what is wrong with its answers: see mismatch.
     std::vector<std::string> mismatches(const reference::Torus& torus,
                                         const std::vector<reference::Ray>& rays);
 
 private:
-    Judgement judgeAll(const reference::Torus& torus, const std::vector<reference::Ray>& rays,
-                       const std::string& name, bool clearOnly);
+    HitTally judgeAll(const reference::Torus& torus, const std::vector<reference::Ray>& rays,
+                      const std::string& name, bool clearOnly);
 
     judge::Queries queries;
 };

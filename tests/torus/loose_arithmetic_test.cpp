@@ -49,7 +49,7 @@ TEST_P(LooseArithmetic, ClearRaysAreRight) {
         const reference::Torus torus = group.torus();
         for (std::uint64_t i = 0; i < raysPerGroup; ++i) {
             const reference::Ray ray = group.ray(4711, i);
-            const judge::Truth truth = judge::quickTruth(torus, ray);
+            const judge::ExactHits truth = judge::quickHits(torus, ray);
             if (!judge::isClear(truth, group.tangentMargin(),
                                 GetParam().endMargin * judge::clearEndMargin(torus))) {
                 continue;

@@ -19,16 +19,16 @@ using reference::Random;
 constexpr std::uint64_t stream = 2200;
 
 // What a ray sees, as far as verdicts go.
-struct Verdict {
+struct RayVerdict {
     int torus, count;
-    bool operator==(const Verdict&) const = default;
+    bool operator==(const RayVerdict&) const = default;
 };
 
-Ray<DoubleDouble> rayOf(const Vec3<double>& origin, const Vec3<double>& direction) {
+SceneRay<DoubleDouble> rayOf(const Vec3<double>& origin, const Vec3<double>& direction) {
     return {fromDoubles<DoubleDouble>(origin), fromDoubles<DoubleDouble>(direction)};
 }
 
-Verdict verdictOf(const SceneData& scene, const Ray<DoubleDouble>& ray, double& t) {
+RayVerdict verdictOf(const SceneData& scene, const SceneRay<DoubleDouble>& ray, double& t) {
     const Sample<double> sample = traceSample<DoubleDouble, double>(scene, ray);
     t = sample.t;
     return {sample.torus, sample.count};
@@ -53,9 +53,9 @@ TEST(TruthVerdict, HoldsWhileTheMarginSaysSo) {
             Random random(test::freshSeed(), stream, 64 * i + static_cast<std::uint64_t>(pixel));
             const PicturePoint<DoubleDouble> point{DoubleDouble(random.uniform(0.0, 8.0)),
                                                    DoubleDouble(random.uniform(0.0, 8.0))};
-            const Ray<DoubleDouble> ray = cameraRay(scene.frame, point);
+            const SceneRay<DoubleDouble> ray = cameraRay(scene.frame, point);
             double t = 0.0;
-            const Verdict verdict = verdictOf(scene, ray, t);
+            const RayVerdict verdict = verdictOf(scene, ray, t);
             const VerdictMargins margins = verdictMargins(scene, ray, coarse, verdict.torus, t);
             doubtful += margins.nearest < 1.0 ? 1 : 0;
             clear += margins.nearest >= 1.0 ? 1 : 0;
@@ -66,7 +66,7 @@ TEST(TruthVerdict, HoldsWhileTheMarginSaysSo) {
                 const Vec3<double> across = unit(side - dot(side, direction) * direction);
                 const Vec3<double> turned = direction + (coarse.turned * 0.999) * across;
                 double otherT = 0.0;
-                const Verdict other = verdictOf(scene, rayOf(toDoubles(ray.origin), unit(turned)), otherT);
+                const RayVerdict other = verdictOf(scene, rayOf(toDoubles(ray.origin), unit(turned)), otherT);
                 flips = flips || other.torus != verdict.torus;
                 if (margins.nearest >= 1.0) {
                     ASSERT_EQ(other.torus, verdict.torus)
