@@ -50,7 +50,7 @@ truth::Crossings<double> shaderCrossings(const truth::SceneData& scene, const tr
         scene,
         [&ray](const scene_io::SceneTorus& torus) {
             const reference::BasicRay<Real> local(trace::asReferenceRay(trace::rayInFrame(torus, ray)));
-            return truth::Ray<Real>{local.origin, local.direction};
+            return truth::SceneRay<Real>{local.origin, local.direction};
         },
         truth::farthest);
     return {found.torus, reference::toDouble(found.t), truth::toDoubles(found.position), found.count};
