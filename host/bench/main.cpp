@@ -19,7 +19,7 @@
 #include "core/file.hpp"
 #include "options/program.hpp"
 #include "options/progress.hpp"
-#include "trace/fused_fma.hpp"
+#include "trace/self_check.hpp"
 
 namespace raytorus::bench {
 namespace {
@@ -83,7 +83,7 @@ std::vector<TimedMethod> methodsFor(gpu::Context& context, std::vector<TimedMeth
         std::string missing;
         if (method.needs == Needs::Float64 && !context.hasFloat64()) {
             missing = "has no shaderFloat64";
-        } else if (method.needs == Needs::FusedFma && !trace::fusesFma(context)) {
+        } else if (method.needs == Needs::FusedFma && !trace::selfCheck(context).fusedFma) {
             missing = "has an fma() that rounds twice";
         }
         if (!missing.empty()) {

@@ -12,7 +12,7 @@
 #include "gpu/context.hpp"
 #include "gpu/result.hpp"
 #include "options/device_options.hpp"
-#include "trace/fused_fma.hpp"
+#include "trace/self_check.hpp"
 
 namespace raytorus::cli {
 namespace {
@@ -72,9 +72,14 @@ ExitCode runDoctor() {
     const gpu::DeviceInfo chosen = gpu::pickDevice(devices, "");
     print("raytorus uses device {}, {}, unless --device says otherwise\n", chosen.index, chosen.name);
     options::withDevice({}, [](gpu::Context& context) {
-        print("  its fma() {}\n", trace::fusesFma(context)
-                                      ? "rounds once: shaders may define TORUS_FUSED_FMA"
-                                      : "rounds twice: shaders must not define TORUS_FUSED_FMA");
+        const trace::SelfCheck found = trace::selfCheck(context);
+        print("  its arithmetic {}\n",
+              found.exact ? "holds what the exact tier rests on"
+                          : "does not hold what the exact tier rests on: answers may be wrong");
+        print("  its fma() {}\n", found.fusedFma ? "rounds once: shaders may define TORUS_FUSED_FMA"
+                                                 : "rounds twice: shaders must not define TORUS_FUSED_FMA");
+        print("  numbers below 2^-126 are {}\n",
+              found.denormals ? "kept" : "taken for 0, which changes no answer");
     });
     return ExitCode::Ok;
 }

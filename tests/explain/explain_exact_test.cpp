@@ -9,8 +9,8 @@
 namespace raytorus::test {
 namespace {
 
-using explain::Case;
 using explain::Quad;
+using explain::RootCase;
 using explain::Sheet;
 using explain::Steps;
 using explain::TrueRoot;

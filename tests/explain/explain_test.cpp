@@ -17,8 +17,8 @@
 namespace raytorus::test {
 namespace {
 
-using explain::Case;
 using explain::Explanation;
+using explain::RootCase;
 using reference::Ray;
 using reference::Torus;
 
@@ -43,7 +43,7 @@ TEST_F(Explain, TheHitsAreTheTracersBitByBit) {
             trace::TraceRay traced{};
             std::memcpy(&traced, &ray, sizeof(ray));
             trace::AllHits all{};
-            std::memcpy(&all, tracer.trace(1.0F, 0.25F, {&traced, 1}).data(), sizeof(all));
+            std::memcpy(&all, tracer.trace({1.0F, 0.25F}, {&traced, 1}).data(), sizeof(all));
             ASSERT_EQ(static_cast<float>(e.hits.size()), all.count);
             for (std::size_t k = 0; k < e.hits.size(); ++k) {
                 EXPECT_EQ(e.hits[k].t, all.t[k]);

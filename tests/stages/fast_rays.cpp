@@ -23,11 +23,11 @@ ExactHits exactHitsOf(const Trial& trial) {
 }
 
 bool FastAnswer::hasClearEnds() const {
-    return truth.endClearance() >= reference::clearEndMargin(trial.torus);
+    return exact.endClearance() >= reference::clearEndMargin(trial.torus);
 }
 
 bool FastAnswer::isClear() const {
-    return truth.clearance >= reference::clearMargin && hasClearEnds();
+    return exact.clearance >= reference::clearMargin && hasClearEnds();
 }
 
 bool FastAnswer::nearTip() const {
