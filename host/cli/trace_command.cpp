@@ -63,7 +63,7 @@ void traceExactly(BatchStages& stages, const std::function<std::size_t(std::span
     };
     stages.start = [](std::size_t, std::size_t) {};
     stages.finish = [&](std::size_t place) -> std::span<const float> {
-        hits[place] = truth::traceByReference(query, radii.first, radii.second, rays[place]);
+        hits[place] = truth::traceByReference(query, {radii.first, radii.second}, rays[place]);
         return hits[place];
     };
     runBatches(stages);
@@ -106,7 +106,7 @@ ExitCode runTrace(const TraceCommand& command) {
             trace::Tracer tracer(context, query, batch, shaders, 2);
             stages.read = [&](std::size_t place) { return readInto(tracer.rays(place)); };
             stages.start = [&](std::size_t place, std::size_t count) {
-                tracer.start(place, majorRadius, minorRadius, count);
+                tracer.start(place, {majorRadius, minorRadius}, count);
             };
             stages.finish = [&](std::size_t place) { return tracer.finish(place); };
             runBatches(stages);

@@ -12,7 +12,7 @@ namespace {
 template <typename Answer>
 void answerOne(trace::Tracer& tracer, const reference::Torus& torus, const std::vector<trace::TraceRay>& rays,
                std::vector<Answers>& answers, Answer Answers::*member) {
-    const std::span<const float> values = tracer.trace(torus.majorRadius, torus.minorRadius, rays);
+    const std::span<const float> values = tracer.trace(torus, rays);
     for (std::size_t i = 0; i < rays.size(); ++i) {
         std::memcpy(&(answers[i].*member), &values[i * sizeof(Answer) / sizeof(float)], sizeof(Answer));
     }

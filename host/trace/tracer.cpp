@@ -73,14 +73,14 @@ Tracer::Tracer(gpu::Context& context, Query wanted, std::size_t rayCapacity, con
     }
 }
 
-std::span<const float> Tracer::trace(float majorRadius, float minorRadius, std::span<const TraceRay> wanted) {
+std::span<const float> Tracer::trace(const reference::Torus& torus, std::span<const TraceRay> wanted) {
     if (wanted.empty()) {
         return {};
     }
     if (wanted.size() <= capacity) {
         std::memcpy(rays(0).data(), wanted.data(), wanted.size_bytes());
     }
-    start(0, majorRadius, minorRadius, wanted.size());
+    start(0, torus, wanted.size());
     return finish(0);
 }
 
@@ -88,13 +88,13 @@ std::span<TraceRay> Tracer::rays(std::size_t batch) const {
     return batches.at(batch)->rays.as<TraceRay>().first(capacity);
 }
 
-void Tracer::start(std::size_t index, float majorRadius, float minorRadius, std::size_t count) {
+void Tracer::start(std::size_t index, const reference::Torus& torus, std::size_t count) {
     if (count > capacity) {
         throw Error(ExitCode::Internal, fmt::format("{} rays given to a tracer for {}", count, capacity));
     }
     Batch& batch = *batches.at(index);
     batch.count = count;
-    const PushConstants constants{majorRadius, minorRadius, static_cast<std::uint32_t>(count)};
+    const PushConstants constants{torus.majorRadius, torus.minorRadius, static_cast<std::uint32_t>(count)};
     batch.submission.start([&](VkCommandBuffer commands) {
         pipeline.use(commands, std::as_bytes(std::span(&constants, 1)), index);
         vkCmdDispatch(commands, (constants.count + TRACE_GROUP_SIZE - 1) / TRACE_GROUP_SIZE, 1, 1);

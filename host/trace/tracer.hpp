@@ -10,6 +10,7 @@
 #include "gpu/buffer.hpp"
 #include "gpu/pipeline.hpp"
 #include "gpu/submission.hpp"
+#include "reference/torus_reference.hpp"
 #include "trace/hits.hpp"
 #include "trace/shader_source.hpp"
 
@@ -27,14 +28,14 @@ public:
     static std::size_t maxCapacity(const gpu::Context& context, Query query);
 
     /// Traces up to `capacity` rays. The answer is valid until the next call: hitFloats(query) floats a ray.
-    std::span<const float> trace(float majorRadius, float minorRadius, std::span<const TraceRay> rays);
+    std::span<const float> trace(const reference::Torus& torus, std::span<const TraceRay> rays);
 
     /// Room for `capacity` rays, to be filled while the device is not at this batch. The memory may be
     /// uncached: write it in order and do not read it.
     [[nodiscard]] std::span<TraceRay> rays(std::size_t batch) const;
 
     /// Lets the device answer the first `count` rays of a batch, which must be finished, and does not wait.
-    void start(std::size_t batch, float majorRadius, float minorRadius, std::size_t count);
+    void start(std::size_t batch, const reference::Torus& torus, std::size_t count);
 
     /// Waits for a batch. The answer is valid until its next start.
     std::span<const float> finish(std::size_t batch);

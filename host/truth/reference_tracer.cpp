@@ -6,7 +6,6 @@
 #include <thread>
 
 #include "core/in_parallel.hpp"
-#include "reference/torus_reference.hpp"
 #include "trace/trace_ray.hpp"
 
 namespace raytorus::truth {
@@ -53,9 +52,8 @@ void answer(trace::Query query, const reference::Torus& torus, const reference::
 
 }  // namespace
 
-std::vector<float> traceByReference(trace::Query query, float majorRadius, float minorRadius,
+std::vector<float> traceByReference(trace::Query query, const reference::Torus& torus,
                                     std::span<const trace::TraceRay> rays) {
-    const reference::Torus torus{majorRadius, minorRadius};
     const std::size_t floats = trace::hitFloats(query);
     std::vector<float> hits(rays.size() * floats);
     const auto answerSome = [&](std::size_t from, std::size_t to) {

@@ -27,8 +27,7 @@ std::vector<trace::TraceRay> someRays() {
 
 // What the reference answers, in the layout of Kernel::answers.
 std::vector<float> exactAnswers(Query query, const std::vector<trace::TraceRay>& rays) {
-    const std::vector<float> stored =
-        truth::traceByReference(query, ring.majorRadius, ring.minorRadius, rays);
+    const std::vector<float> stored = truth::traceByReference(query, ring, rays);
     std::vector<float> answers;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const std::size_t at = i * trace::hitFloats(query);

@@ -95,7 +95,7 @@ TEST_F(BenchDevice, AnswersTheRaysThatItWrites) {
             const std::vector<float> answers =
                 kernel.answers(methodNamed(ourName), query, workload.pattern, view);
             trace::Tracer tracer(test::device(), query, rays.size());
-            const std::span<const float> expected = tracer.trace(view.majorRadius, view.minorRadius, rays);
+            const std::span<const float> expected = tracer.trace({view.majorRadius, view.minorRadius}, rays);
             std::size_t differing = 0;
             std::size_t hits = 0;
             for (std::size_t i = 0; i < rays.size(); ++i) {

@@ -104,11 +104,11 @@ TEST_F(TracerBatches, AreAnsweredAsOneAfterTheOther) {
             for (std::size_t batch = 0; batch < counts.size(); ++batch) {
                 EXPECT_EQ(tracer.rays(batch).size(), capacity);
                 std::ranges::copy(raysFrom(100 * batch + turn, counts[batch]), tracer.rays(batch).begin());
-                tracer.start(batch, 1.0F, 0.25F, counts[batch]);
+                tracer.start(batch, {1.0F, 0.25F}, counts[batch]);
             }
             for (std::size_t batch = 0; batch < counts.size(); ++batch) {
                 const std::span<const float> expected =
-                    single.trace(1.0F, 0.25F, raysFrom(100 * batch + turn, counts[batch]));
+                    single.trace({1.0F, 0.25F}, raysFrom(100 * batch + turn, counts[batch]));
                 const std::span<const float> found = tracer.finish(batch);
                 EXPECT_EQ(found.size(), counts[batch] * hitFloats(query));
                 EXPECT_TRUE(std::ranges::equal(found, expected)) << "batch " << batch << ", turn " << turn;
@@ -119,9 +119,12 @@ TEST_F(TracerBatches, AreAnsweredAsOneAfterTheOther) {
 
 TEST_F(TracerBatches, MoreRaysThanThereIsRoomForAreRefused) {
     trace::Tracer tracer(test::device(), Query::Any, 10);
-    test::expectError([&] { tracer.start(0, 1.0F, 0.25F, 11); }, ExitCode::Internal, {"11 rays", "for 10"});
-    test::expectError([&] { tracer.trace(1.0F, 0.25F, raysFrom(0, 11)); }, ExitCode::Internal,
-                      {"11 rays", "for 10"});
+    test::expectError([&] { tracer.start(0, {1.0F, 0.25F}, 11); }, ExitCode::Internal, {"11 rays", "for 10"});
+    test::expectError(
+        [&] {
+            tracer.trace({1.0F, 0.25F}, raysFrom(0, 11));
+        },
+        ExitCode::Internal, {"11 rays", "for 10"});
 }
 
 }  // namespace

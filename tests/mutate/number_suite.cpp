@@ -22,10 +22,9 @@ std::optional<std::string> caughtByContract(gpu::Context& context, const trace::
     std::array tracers = {trace::Tracer(context, trace::Query::Nearest, test::contractRays, shaders),
                           trace::Tracer(context, trace::Query::All, test::contractRays, shaders),
                           trace::Tracer(context, trace::Query::Any, test::contractRays, shaders)};
-    const test::AnswerRays answer = [&tracers](trace::Query query, float majorRadius, float minorRadius,
+    const test::AnswerRays answer = [&tracers](trace::Query query, const reference::Torus& torus,
                                                const std::vector<trace::TraceRay>& rays) {
-        const std::span<const float> values =
-            tracers.at(static_cast<std::size_t>(query)).trace(majorRadius, minorRadius, rays);
+        const std::span<const float> values = tracers.at(static_cast<std::size_t>(query)).trace(torus, rays);
         return std::vector<float>(values.begin(), values.end());
     };
     for (const test::ContractCheck& check : test::contractChecks()) {

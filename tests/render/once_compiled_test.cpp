@@ -72,10 +72,10 @@ TEST_F(OnceCompiled, Traces) {
         trace::Tracer tracer(device(), query, 1);
         const std::vector<trace::TraceRay> rays = {
             {{3.0F, 0.0F, 0.0F}, 0.0F, {-1.0F, 0.0F, 0.0F}, std::numeric_limits<float>::infinity()}};
-        tracer.trace(1.0F, 0.25F, rays);
+        tracer.trace({1.0F, 0.25F}, rays);
         const std::size_t first = compiledBytes();
         for (int i = 1; i < 16; ++i) {
-            EXPECT_GE(tracer.trace(1.0F, 0.25F, rays).front(), 1.0F);
+            EXPECT_GE(tracer.trace({1.0F, 0.25F}, rays).front(), 1.0F);
         }
         EXPECT_LE(compiledBytes(), first) << "query " << static_cast<int>(query);
     }

@@ -22,24 +22,23 @@ void append(std::vector<float>& floats, const Answer& answer) {
 }
 
 AnswerRays answersOf(const Tier& tier) {
-    return
-        [&tier](Query query, float majorRadius, float minorRadius, const std::vector<trace::TraceRay>& rays) {
-            std::vector<float> answers;
-            for (const trace::TraceRay& ray : rays) {
-                switch (query) {
-                    case Query::Nearest:
-                        append(answers, tier.nearest(majorRadius, minorRadius, ray));
-                        break;
-                    case Query::All:
-                        append(answers, tier.all(majorRadius, minorRadius, ray));
-                        break;
-                    case Query::Any:
-                        answers.push_back(tier.any(majorRadius, minorRadius, ray) ? 1.0F : 0.0F);
-                        break;
-                }
+    return [&tier](Query query, const reference::Torus& torus, const std::vector<trace::TraceRay>& rays) {
+        std::vector<float> answers;
+        for (const trace::TraceRay& ray : rays) {
+            switch (query) {
+                case Query::Nearest:
+                    append(answers, tier.nearest(torus.majorRadius, torus.minorRadius, ray));
+                    break;
+                case Query::All:
+                    append(answers, tier.all(torus.majorRadius, torus.minorRadius, ray));
+                    break;
+                case Query::Any:
+                    answers.push_back(tier.any(torus.majorRadius, torus.minorRadius, ray) ? 1.0F : 0.0F);
+                    break;
             }
-            return answers;
-        };
+        }
+        return answers;
+    };
 }
 
 class TierContract : public OfBothTiers {};

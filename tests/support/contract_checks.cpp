@@ -119,8 +119,8 @@ std::string differenceFrom(const std::vector<float>& expected, const std::vector
 std::string answerFault(const AnswerRays& answer, const BadInput& bad) {
     const auto answerBad = [&](Query query) {
         // The unspoilt ray's answer lies where the bad one's belongs: what is not written is not as expected.
-        answer(query, 1.0F, 0.25F, {BadInput{}.ray});
-        return answer(query, bad.majorRadius, bad.minorRadius, {bad.ray});
+        answer(query, {1.0F, 0.25F}, {BadInput{}.ray});
+        return answer(query, {bad.majorRadius, bad.minorRadius}, {bad.ray});
     };
     std::string fault = differenceFrom({0, bad.t, 0, 0, 0, 0, 0, 0}, answerBad(Query::Nearest), bad.name);
     if (fault.empty()) {
@@ -161,8 +161,6 @@ bool sameButForScale(const Scale& scale, const float* expected, const float* act
     return same;
 }
 
-}  // namespace
-
 std::string badInputFault(const AnswerRays& answer) {
     for (const BadInput& bad : badInputs()) {
         const std::string fault = answerFault(answer, bad);
@@ -171,36 +169,36 @@ std::string badInputFault(const AnswerRays& answer) {
         }
     }
     // The unspoilt ray hits: the misses above are not for another reason.
-    return differenceFrom({1}, answer(Query::Any, 1.0F, 0.25F, {BadInput{}.ray}), "the unspoilt ray");
+    return differenceFrom({1}, answer(Query::Any, {1.0F, 0.25F}, {BadInput{}.ray}), "the unspoilt ray");
 }
 
 std::string infiniteEndFault(const AnswerRays& answer) {
     for (const float tMax : {infinity, largest}) {
         const TraceRay hits{{3, 0, 0}, 0, {-1, 0, 0}, tMax};
         const TraceRay misses{{3, 0, 0}, 0, {1, 0, 0}, tMax};
-        const std::vector<float> found = answer(Query::Nearest, 1.0F, 0.25F, {hits});
+        const std::vector<float> found = answer(Query::Nearest, {1.0F, 0.25F}, {hits});
         if (found[0] != 1.0F || !(std::abs(found[1] - 1.75F) <= 1e-6F)) {
             return fmt::format("tMax {}: hit {} at t {} instead of 1.75", tMax, found[0], found[1]);
         }
-        const float missed = answer(Query::Nearest, 1.0F, 0.25F, {misses})[1];
+        const float missed = answer(Query::Nearest, {1.0F, 0.25F}, {misses})[1];
         if (missed != tMax) {
             return fmt::format("tMax {}: a miss has t {}", tMax, missed);
         }
     }
     const TraceRay bad{{3, 0, 0}, 0, {-1, 0, 0}, nan};
     const std::string fault =
-        differenceFrom({0, 0, 0, 0, 0, 0, 0, 0}, answer(Query::Nearest, 1.0F, 0.25F, {bad}), "tMax nan");
+        differenceFrom({0, 0, 0, 0, 0, 0, 0, 0}, answer(Query::Nearest, {1.0F, 0.25F}, {bad}), "tMax nan");
     if (!fault.empty()) {
         return fault;
     }
     const TraceRay unbounded{{3, 0, 0}, -infinity, {-1, 0, 0}, infinity};
-    const float count = answer(Query::All, 1.0F, 0.25F, {unbounded})[0];
+    const float count = answer(Query::All, {1.0F, 0.25F}, {unbounded})[0];
     return count == 4.0F ? "" : fmt::format("the unbounded line has {} hits instead of 4", count);
 }
 
 std::string scalingFault(const AnswerRays& answer) {
     const std::vector<TraceRay> rays = cameraRays(0.25F);
-    const std::vector<float> unscaled = answer(Query::All, 1.0F, 0.25F, rays);
+    const std::vector<float> unscaled = answer(Query::All, {1.0F, 0.25F}, rays);
     for (const int size : {-40, -13, 1, 7, 40}) {
         for (const int direction : {-30, 0, 17}) {
             const Scale scale{size, direction};
@@ -208,7 +206,7 @@ std::string scalingFault(const AnswerRays& answer) {
             std::transform(rays.begin(), rays.end(), std::back_inserter(scaled),
                            [&scale](const TraceRay& ray) { return scaledBy(scale, ray); });
             const std::vector<float> hits =
-                answer(Query::All, std::ldexp(1.0F, size), std::ldexp(0.25F, size), scaled);
+                answer(Query::All, {std::ldexp(1.0F, size), std::ldexp(0.25F, size)}, scaled);
             for (std::size_t i = 0; i < rays.size(); ++i) {
                 if (!sameButForScale(scale, &unscaled[17 * i], &hits[17 * i])) {
                     return fmt::format("ray {} changes where lengths grow by 2^{}, its direction by 2^{}", i,
@@ -222,7 +220,7 @@ std::string scalingFault(const AnswerRays& answer) {
 
 std::string pastTheCountFault(const AnswerRays& answer) {
     const std::vector<TraceRay> rays = cameraRays(0.5F);
-    const std::vector<float> hits = answer(Query::All, 1.0F, 0.5F, rays);
+    const std::vector<float> hits = answer(Query::All, {1.0F, 0.5F}, rays);
     int partial = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const float* hit = &hits[17 * i];
@@ -243,6 +241,7 @@ std::string pastTheCountFault(const AnswerRays& answer) {
     return partial > 0 ? "" : "no ray had entries past its hits";
 }
 
+// The normal of the nearest hit, which is that of its position, outward from whichever side it is hit.
 std::string hitNormalFault(const AnswerRays& answer) {
     constexpr float minorRadius = 0.25F;
     const reference::Torus torus{1.0F, minorRadius};
@@ -250,7 +249,7 @@ std::string hitNormalFault(const AnswerRays& answer) {
     constexpr double rounding = 2.4e-7 * (1.0 + 1.0 / double{minorRadius});
     for (const reference::RayClass rayClass : {reference::RayClass::camera, reference::RayClass::inside}) {
         const std::vector<float> hits =
-            answer(Query::Nearest, 1.0F, minorRadius, raysOf(rayClass, minorRadius));
+            answer(Query::Nearest, {1.0F, minorRadius}, raysOf(rayClass, minorRadius));
         for (std::size_t i = 0; i < contractRays; ++i) {
             trace::NearestHit hit;
             std::memcpy(&hit, &hits[i * trace::hitFloats(Query::Nearest)], sizeof(hit));
@@ -269,6 +268,8 @@ std::string hitNormalFault(const AnswerRays& answer) {
     }
     return "";
 }
+
+}  // namespace
 
 std::span<const ContractCheck> contractChecks() {
     static constexpr std::array checks = {

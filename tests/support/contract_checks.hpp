@@ -13,17 +13,10 @@
 
 namespace raytorus::test {
 
-/// The answers to at most contractRays rays at a torus of these radii, as a row of floats.
-using AnswerRays = std::function<std::vector<float>(trace::Query, float majorRadius, float minorRadius,
+/// The answers to at most contractRays rays at a torus, as a row of floats.
+using AnswerRays = std::function<std::vector<float>(trace::Query, const reference::Torus&,
                                                     const std::vector<trace::TraceRay>&)>;
 inline constexpr std::size_t contractRays = 512;
-
-std::string badInputFault(const AnswerRays& answer);
-std::string infiniteEndFault(const AnswerRays& answer);
-std::string scalingFault(const AnswerRays& answer);
-std::string pastTheCountFault(const AnswerRays& answer);
-/// The normal of the nearest hit, which is that of its position, outward from whichever side it is hit.
-std::string hitNormalFault(const AnswerRays& answer);
 
 struct ContractCheck {
     const char* name;

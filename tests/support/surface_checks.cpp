@@ -101,8 +101,6 @@ std::string rangeFault(const SurfacePoint& point, const SurfaceAnswer& answer) {
     return "";
 }
 
-}  // namespace
-
 std::string normalFault(const AskSurface& ask) {
     return firstFault(ask, surfacePoints(), [](const SurfacePoint& point, const SurfaceAnswer& answer) {
         const QuadVec3 exact = reference::normal(torusOf(point), reference::toQuad(point.point));
@@ -114,6 +112,7 @@ std::string normalFault(const AskSurface& ask) {
     });
 }
 
+// On the tube's centre circle and on the axis, where no direction is distinguished.
 std::string undistinguishedNormalFault(const AskSurface& ask) {
     std::vector<SurfacePoint> points;
     for (const float z : {0.0F, 0.5F, -1.118034F}) {
@@ -143,6 +142,7 @@ std::string uvFault(const AskSurface& ask) {
     });
 }
 
+// On the axes of both circles, and an ulp below the seams, where 1 - tiny rounds to 1.
 std::string seamFault(const AskSurface& ask) {
     std::vector<SurfacePoint> points;
     for (const float y : {0.0F, -0.0F, -1e-30F, 1e-30F, -1e-8F}) {
@@ -226,6 +226,8 @@ std::string distanceFault(const AskSurface& ask) {
         });
     return fault.empty() && inside <= 100 ? fmt::format("only {} points lie inside", inside) : fault;
 }
+
+}  // namespace
 
 std::span<const SurfaceCheck> surfaceChecks() {
     static constexpr std::array checks = {

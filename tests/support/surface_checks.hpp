@@ -14,16 +14,6 @@ namespace raytorus::test {
 
 using AskSurface = std::function<std::vector<SurfaceAnswer>(const std::vector<SurfacePoint>&)>;
 
-std::string normalFault(const AskSurface& ask);
-/// On the tube's centre circle and on the axis, where no direction is distinguished.
-std::string undistinguishedNormalFault(const AskSurface& ask);
-std::string uvFault(const AskSurface& ask);
-/// On the axes of both circles, and an ulp below the seams, where 1 - tiny rounds to 1.
-std::string seamFault(const AskSurface& ask);
-std::string positionFault(const AskSurface& ask);
-std::string tangentFault(const AskSurface& ask);
-std::string distanceFault(const AskSurface& ask);
-
 struct SurfaceCheck {
     const char* name;
     std::string (*fault)(const AskSurface& ask);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the include promises whatever it is given, through the real SPIR-V.
+// What the include promises whatever it is given, and that its surface functions are the reference's, through
+// the real SPIR-V.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -7,6 +8,7 @@
 
 #include "support/contract_checks.hpp"
 #include "support/device_fixture.hpp"
+#include "support/surface_checks.hpp"
 
 namespace raytorus::test {
 namespace {
@@ -14,13 +16,13 @@ namespace {
 // A tracer a query, kept: each makes a pipeline, which takes some drivers a third of a second.
 class Contract : public DeviceTest {
 protected:
-    AnswerRays answer = [this](trace::Query query, float majorRadius, float minorRadius,
+    AnswerRays answer = [this](trace::Query query, const reference::Torus& torus,
                                const std::vector<trace::TraceRay>& rays) {
         std::optional<trace::Tracer>& tracer = tracers.at(static_cast<std::size_t>(query));
         if (!tracer) {
             tracer.emplace(device(), query, contractRays);
         }
-        const std::span<const float> values = tracer->trace(majorRadius, minorRadius, rays);
+        const std::span<const float> values = tracer->trace(torus, rays);
         return std::vector<float>(values.begin(), values.end());
     };
 
@@ -28,24 +30,20 @@ private:
     std::array<std::optional<trace::Tracer>, 3> tracers;
 };
 
-TEST_F(Contract, BadInputIsAMissWithEveryOutputWritten) {
-    EXPECT_EQ(badInputFault(answer), "");
+TEST_F(Contract, IsKept) {
+    for (const ContractCheck& check : contractChecks()) {
+        EXPECT_EQ(check.fault(answer), "") << check.name;
+    }
 }
 
-TEST_F(Contract, TMaxMayBeInfiniteAndANanInItIsAMiss) {
-    EXPECT_EQ(infiniteEndFault(answer), "");
-}
+using Surface = DeviceTest;
 
-TEST_F(Contract, ScalingByPowersOfTwoChangesNoBit) {
-    EXPECT_EQ(scalingFault(answer), "");
-}
-
-TEST_F(Contract, EntriesPastTheCountHoldTMax) {
-    EXPECT_EQ(pastTheCountFault(answer), "");
-}
-
-TEST_F(Contract, NormalsOfHitsAreOutward) {
-    EXPECT_EQ(hitNormalFault(answer), "");
+TEST_F(Surface, IsTheReferences) {
+    SurfaceProbe probe(device());
+    const AskSurface ask = [&probe](const std::vector<SurfacePoint>& points) { return probe.ask(points); };
+    for (const SurfaceCheck& check : surfaceChecks()) {
+        EXPECT_EQ(check.fault(ask), "") << check.name;
+    }
 }
 
 }  // namespace

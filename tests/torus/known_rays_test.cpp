@@ -18,9 +18,9 @@ namespace {
 using trace::AllHits;
 using trace::TraceRay;
 
-AllHits traceOne(float majorRadius, float minorRadius, const TraceRay& ray) {
+AllHits traceOne(const reference::Torus& torus, const TraceRay& ray) {
     trace::Tracer tracer(test::device(), trace::Query::All, 1);
-    const std::span<const float> values = tracer.trace(majorRadius, minorRadius, {&ray, 1});
+    const std::span<const float> values = tracer.trace(torus, {&ray, 1});
     AllHits hits{};
     std::memcpy(&hits, values.data(), sizeof(hits));
     return hits;
@@ -46,7 +46,7 @@ class KnownRays : public test::DeviceTest, public testing::WithParamInterface<Kn
 
 TEST_P(KnownRays, HitWhereTheyMust) {
     const Known& known = GetParam();
-    const AllHits hits = traceOne(known.majorRadius, known.minorRadius, known.ray);
+    const AllHits hits = traceOne({known.majorRadius, known.minorRadius}, known.ray);
     ASSERT_EQ(hits.count, static_cast<float>(known.t.size()));
     for (std::size_t i = 0; i < known.t.size(); ++i) {
         EXPECT_NEAR(static_cast<double>(hits.t[i]), known.t[i], known.tolerance) << i;
