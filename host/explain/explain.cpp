@@ -5,7 +5,6 @@
 
 #include "explain/conclusion.hpp"
 #include "explain/exact.hpp"
-#include "explain/match.hpp"
 #include "explain/notes.hpp"
 #include "explain/query_device.hpp"
 

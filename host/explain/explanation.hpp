@@ -132,6 +132,11 @@ double uvError(const TrueRoot& root, const ShaderHit& hit);
 bool isInvented(const Explanation& e, std::size_t hit);
 bool isInventedByClosedForm(const Explanation& e, std::size_t root);
 
+/// Which answer belongs to which root where one side has fewer: for each entry of the shorter list its place
+/// in the longer one. Both ascend and so do the places, and the sum of the differences is the smallest. For
+/// lists of a few entries.
+std::vector<std::size_t> matched(const std::vector<Quad>& shorter, const std::vector<Quad>& longer);
+
 /// "ring", "horn", "spindle" or "sphere".
 const char* shapeOf(const reference::Torus& torus);
 

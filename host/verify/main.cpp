@@ -11,7 +11,7 @@
 #include "methods/methods.hpp"
 #include "options/program.hpp"
 #include "options/progress.hpp"
-#include "verify/replay_text.hpp"
+#include "verify/report.hpp"
 #include "verify/thresholds.hpp"
 #include "verify/verifier.hpp"
 #include "verify/verify_options.hpp"

@@ -8,6 +8,7 @@
 #include "gpu/context.hpp"
 #include "verify/ray_group.hpp"
 #include "verify/statistics.hpp"
+#include "verify/verifier.hpp"
 
 namespace raytorus::verify {
 
@@ -39,5 +40,9 @@ std::string resultsJson(const Run& run, std::span<const RayGroupResult> results,
 /// The command with a ray to replay.
 std::string replayCommand(const std::string& command, const reference::Torus& torus,
                           const reference::Ray& ray);
+
+/// One ray, its exact hits and its answers side by side.
+std::string replayText(const reference::Torus& torus, const reference::Ray& ray,
+                       const Verifier::Replay& replay);
 
 }  // namespace raytorus::verify

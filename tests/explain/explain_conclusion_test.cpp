@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "explain/conclusion.hpp"
-#include "explain/match.hpp"
 #include "explain/number_text.hpp"
 
 namespace raytorus::test {

@@ -10,12 +10,10 @@
 #include <limits>
 #include <random>
 
-#ifdef __SSE__
-#include <xmmintrin.h>
-#endif
-
+#include "reference/random.hpp"
 #include "reference/rays.hpp"
 #include "support/device_fixture.hpp"
+#include "support/flush_denormals.hpp"
 #include "support/fresh_seed.hpp"
 #include "support/special_floats.hpp"
 #include "torus_cxx.hpp"
@@ -34,30 +32,23 @@ constexpr std::array minorRadii = {0.001F, 0.01F, 0.1F, 0.25F, 0.5F, 0.9F, 1.0F,
 // Of each class, radius and distance, and as many again with small components: 72 000 rays.
 constexpr std::uint64_t raysEach = 60;
 
+// Of random numbers, so that no two uses have the same.
+constexpr std::uint64_t rayStream = 2300, pointStream = 2301, squareStream = 2302;
+
 struct Case {
     std::string name;
     Torus torus;
     std::vector<TraceRay> rays;
 };
 
-class Uniform {
-public:
-    double operator()(double from, double to) {
-        return from + (to - from) * static_cast<double>(random() >> 11U) * 0x1p-53;
-    }
-
-private:
-    std::mt19937_64 random{test::freshSeed()};
-};
-
 // Some components down to 10^-15 of what they were: their products are tiny, and where a driver flushes
 // denormals, some of them 0.
-void shrinkComponents(TraceRay& ray, Uniform& uniform) {
+void shrinkComponents(TraceRay& ray, reference::Random& random) {
     for (float& component : std::span(ray.origin)) {
-        component *= static_cast<float>(std::pow(10.0, std::min(uniform(-15, 15), 0.0)));
+        component *= static_cast<float>(std::pow(10.0, std::min(random.uniform(-15, 15), 0.0)));
     }
     for (float& component : std::span(ray.direction)) {
-        component *= static_cast<float>(std::pow(10.0, std::min(uniform(-15, 15), 0.0)));
+        component *= static_cast<float>(std::pow(10.0, std::min(random.uniform(-15, 15), 0.0)));
     }
 }
 
@@ -82,7 +73,7 @@ std::vector<TraceRay> raysOfZeros() {
 
 std::vector<Case> cases() {
     std::vector<Case> list;
-    Uniform uniform;
+    reference::Random random(test::freshSeed(), rayStream, 0);
     for (const float minorRadius : minorRadii) {
         for (const double distance : {1.5, 3.0, 100.0, 1e4, 1e6}) {
             for (const RayClass rayClass : reference::allRayClasses) {
@@ -103,7 +94,7 @@ std::vector<Case> cases() {
                 // Not of a horn: what is tiny beside its tip decides whether a ray meets it.
                 if (minorRadius != 1.0F) {
                     for (TraceRay& ray : rays) {
-                        shrinkComponents(ray, uniform);
+                        shrinkComponents(ray, random);
                     }
                     list.push_back({name + ", components shrunk", parameters.torus, rays});
                 }
@@ -118,7 +109,7 @@ std::vector<Case> cases() {
 // on the axis, the equator and the centre circle, where functions have their special cases.
 std::vector<test::SurfacePoint> surfacePoints() {
     std::vector<test::SurfacePoint> points;
-    Uniform uniform;
+    reference::Random random(test::freshSeed(), pointStream, 0);
     for (const float minorRadius : minorRadii) {
         const auto add = [&points, minorRadius](double x, double y, double z, double u, double v) {
             points.push_back({1.0F,
@@ -127,14 +118,15 @@ std::vector<test::SurfacePoint> surfacePoints() {
                               {static_cast<float>(u), static_cast<float>(v)}});
         };
         for (int i = 0; i < 3000; ++i) {
-            const double u = uniform(-3, 3);
-            const double v = uniform(-3, 3);
-            const double off = i % 2 == 0 ? 1.0 : 1.0 + std::pow(10.0, uniform(-7, 0));
+            const double u = random.uniform(-3, 3);
+            const double v = random.uniform(-3, 3);
+            const double off = i % 2 == 0 ? 1.0 : 1.0 + std::pow(10.0, random.uniform(-7, 0));
             const double r = static_cast<double>(minorRadius) * off;
             const double rho = 1.0 + r * std::cos(2 * M_PI * v);
             add(rho * std::cos(2 * M_PI * u), rho * std::sin(2 * M_PI * u), r * std::sin(2 * M_PI * v), u, v);
-            const double size = std::pow(10.0, uniform(-6, 6));
-            add(size * uniform(-1, 1), size * uniform(-1, 1), size * uniform(-1, 1), 1000 * u, v / 1000);
+            const double size = std::pow(10.0, random.uniform(-6, 6));
+            add(size * random.uniform(-1, 1), size * random.uniform(-1, 1), size * random.uniform(-1, 1),
+                1000 * u, v / 1000);
         }
         for (const double x : {0.0, -0.0, 1.0, -1.0, 0.25, -1.25}) {
             for (const double y : {0.0, -0.0, 1.0, -1e-8, 1e-18}) {
@@ -193,7 +185,7 @@ std::size_t expectSameBits(Query query, OnCpu onCpu) {
     Differences differences;
     for (const Case& c : cases()) {
         const auto [majorRadius, minorRadius] = c.torus;
-        const std::span<const float> answers = tracer.trace(majorRadius, minorRadius, c.rays);
+        const std::span<const float> answers = tracer.trace(c.torus, c.rays);
         for (std::size_t i = 0; i < c.rays.size(); ++i) {
             const Answer cpu = onCpu(majorRadius, minorRadius, c.rays[i]);
             const float* gpu = answers.data() + i * sizeof(Answer) / sizeof(float);
@@ -235,21 +227,11 @@ TEST_F(CxxTwin, SurfaceFunctionsHaveTheSameBits) {
 }
 
 #ifdef __SSE__
-// While it lives, the CPU takes denormals for 0, as the arguments and as the results of operations.
-class DenormalsFlushed {
-public:
-    DenormalsFlushed() { _mm_setcsr(before | 0x8040U); }  // FTZ | DAZ
-    ~DenormalsFlushed() { _mm_setcsr(before); }
-
-private:
-    unsigned before = _mm_getcsr();
-};
-
 // Vulkan leaves denormals to the driver. The same code with and without them, whatever the driver here does.
 TEST(CxxTwinAlone, FlushingDenormalsChangesNoBit) {
     {
         volatile float smallest = std::numeric_limits<float>::min();
-        const DenormalsFlushed flushed;
+        const test::FlushDenormals flushed;
         ASSERT_EQ(smallest * 0.5F, 0.0F) << "denormals are not flushed";
     }
     Differences differences;
@@ -259,7 +241,7 @@ TEST(CxxTwinAlone, FlushingDenormalsChangesNoBit) {
             const trace::NearestHit nearest = test::cxxNearest(majorRadius, minorRadius, ray);
             const trace::AllHits all = test::cxxAll(majorRadius, minorRadius, ray);
             const float any = test::cxxAny(majorRadius, minorRadius, ray);
-            const DenormalsFlushed flushed;
+            const test::FlushDenormals flushed;
             const trace::NearestHit flushedNearest = test::cxxNearest(majorRadius, minorRadius, ray);
             const trace::AllHits flushedAll = test::cxxAll(majorRadius, minorRadius, ray);
             const float flushedAny = test::cxxAny(majorRadius, minorRadius, ray);
@@ -270,7 +252,7 @@ TEST(CxxTwinAlone, FlushingDenormalsChangesNoBit) {
     }
     for (const test::SurfacePoint& point : surfacePoints()) {
         const test::SurfaceAnswer kept = test::cxxSurface(point);
-        const DenormalsFlushed flushed;
+        const test::FlushDenormals flushed;
         const test::SurfaceAnswer answer = test::cxxSurface(point);
         differences.add(described(point, difference(kept, &answer)));
     }
@@ -314,16 +296,14 @@ TEST(CxxTwinAlone, AFusedFmaChangesNoBit) {
 // a^2 + b^2 - c^2 is right to 2^-45 c^2 wherever the first two nearly make up the third: also where both are
 // just below half of it, and no difference of two of them is exact.
 TEST(CxxTwinAlone, SquareDifferenceKeepsWhatCancels) {
-    std::mt19937 random(static_cast<unsigned>(test::freshSeed()));
-    std::uniform_real_distribution<double> turn(0.0, M_PI / 2);
-    std::uniform_real_distribution<double> size(1.0, 2.0);
-    std::uniform_real_distribution<double> off(-1e-6, 1e-6);
+    reference::Random random(test::freshSeed(), squareStream, 0);
+    const auto off = [&random] { return random.uniform(-1e-6, 1e-6); };
     for (int i = 0; i < 200000; ++i) {
-        const double angle = i % 2 == 0 ? turn(random) : M_PI / 4 + off(random);
+        const double angle = i % 2 == 0 ? random.uniform(0, M_PI / 2) : M_PI / 4 + off();
         // Half of c^2 near a power of two: what is just below has one more digit than what is just above.
-        const auto c = static_cast<float>(i % 4 == 3 ? 1 + off(random) : size(random));
-        const auto a = static_cast<float>(static_cast<double>(c) * std::cos(angle) * (1 + off(random)));
-        const auto b = static_cast<float>(static_cast<double>(c) * std::sin(angle) * (1 + off(random)));
+        const auto c = static_cast<float>(i % 4 == 3 ? 1 + off() : random.uniform(1, 2));
+        const auto a = static_cast<float>(static_cast<double>(c) * std::cos(angle) * (1 + off()));
+        const auto b = static_cast<float>(static_cast<double>(c) * std::sin(angle) * (1 + off()));
         const auto square = [](float x) { return static_cast<double>(x) * static_cast<double>(x); };
         // Squares of floats are doubles without rounding; so is the difference of two that are within a
         // factor of 2.

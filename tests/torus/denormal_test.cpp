@@ -5,7 +5,6 @@
 // on a processor that can.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <xmmintrin.h>
 
 #include <cmath>
 #include <cstring>
@@ -15,6 +14,7 @@
 
 #include "hit_judge.hpp"
 #include "support/device_fixture.hpp"
+#include "support/flush_denormals.hpp"
 #include "support/hit_match.hpp"
 #include "support/special_floats.hpp"
 #include "torus_cxx.hpp"
@@ -30,19 +30,6 @@ using reference::Torus;
 constexpr float smallest = std::numeric_limits<float>::denorm_min();
 constexpr float largestDenormal = 0x1.fffffcp-127F;
 
-// Flushes denormal results and operands, in this thread, while it lives.
-class FlushDenormals {
-public:
-    FlushDenormals() : saved(_mm_getcsr()) { _mm_setcsr(saved | flushResults | operandsAreZero); }
-    ~FlushDenormals() { _mm_setcsr(saved); }
-    FlushDenormals(const FlushDenormals&) = delete;
-    FlushDenormals& operator=(const FlushDenormals&) = delete;
-
-private:
-    static constexpr unsigned flushResults = 1U << 15, operandsAreZero = 1U << 6;
-    unsigned saved;
-};
-
 judge::Answers twin(const Torus& torus, const Ray& given) {
     const trace::TraceRay ray = trace::asTraceRay(given);
     return {test::cxxNearest(torus.majorRadius, torus.minorRadius, ray),
@@ -51,7 +38,7 @@ judge::Answers twin(const Torus& torus, const Ray& given) {
 }
 
 judge::Answers flushedTwin(const Torus& torus, const Ray& ray) {
-    const FlushDenormals flush;
+    const test::FlushDenormals flush;
     return twin(torus, ray);
 }
 
@@ -180,7 +167,7 @@ TEST_F(Denormals, AreRightWhereTheyAreFlushed) {
     // The mode is on where it is meant to be, and off again.
     volatile float denormal = 1e-40F;
     EXPECT_NE(denormal * 1.0F, 0.0F);
-    const FlushDenormals flush;
+    const test::FlushDenormals flush;
     EXPECT_EQ(denormal * 1.0F, 0.0F);
 }
 
