@@ -278,13 +278,14 @@ float torusImplicit(Torus torus, vec3 point) {
 // one        1, from where no compiler knows it: a uniform or a buffer
 // returns    the sum of those TORUS_CHECK_... that hold
 int torusSelfCheck(float one) {
-    TORUS_PRECISE float little = one * 2.98023224e-8;  // 2^-25
+    // By bits, so that algebra knows nothing of them: 2^-25, 1 + 2^-12 and 1 + 2^-23.
+    float little = uintBitsToFloat(floatBitsToUint(one) - 0x0c800000u);
+    float factor = uintBitsToFloat(floatBitsToUint(one) + 0x00000800u);
+    float next = uintBitsToFloat(floatBitsToUint(one) + 1u);
     TORUS_PRECISE float sum = one + little;
     TORUS_PRECISE float sumError = torus_twoSumError(one, little, sum);
-    TORUS_PRECISE float factor = one + 2.44140625e-4;  // 1 + 2^-12
     TORUS_PRECISE float square = factor * factor;
     TORUS_PRECISE float squareError = torus_twoProductError(factor, factor, square);
-    TORUS_PRECISE float next = one + 1.1920929e-7;  // 1 + 2^-23
     TORUS_PRECISE float step = next - one;
     TORUS_PRECISE float large = one * 1.0e30;
     TORUS_PRECISE float tiny = one * 1.0e-30;

@@ -15,6 +15,7 @@ root = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(root / "scripts"))
 from ports import glsl, single_glsl, source, splice, wgsl  # noqa: E402
 import kernels  # noqa: E402
+from prove import SEALED  # noqa: E402
 
 dist = Path(sys.argv.pop(1)) if len(sys.argv) > 1 and not sys.argv[1].startswith("-") else root / "dist"
 # Names that people give to macros before they include a library, each an expression, which breaks whoever has the name.
@@ -115,6 +116,24 @@ void main() {
                                *tier, "-c", "port.cpp", "-o", "port.o"]
                     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
                     self.assertEqual((0, ""), (done.returncode, done.stderr))
+
+    def test_the_self_check_sees_what_fast_math_breaks(self):
+        program = """#include <cstdlib>
+#include "raytorus.hpp"
+int main(int, char** argv) { return raytorus_cxx::torusSelfCheck(std::strtof(argv[1], nullptr)); }
+"""
+        exact = 1 | 2 | 4  # TORUS_CHECK_SUMS, _PRODUCTS and _HIGHP
+        sealed = dist_text("raytorus.hpp")
+        broken, count = SEALED.subn("(x)", sealed)
+        self.assertEqual(1, count)
+        for header, options, expected in ((sealed, ["-O2"], exact), (sealed, ["-O3", "-ffast-math"], exact), (broken, ["-O2"], exact),
+                                          (broken, ["-O3", "-ffast-math"], exact - 1)):
+            with tempfile.TemporaryDirectory() as folder, self.subTest(options=options, broken=header is broken):
+                (Path(folder) / "raytorus.hpp").write_text(header)
+                (Path(folder) / "check.cpp").write_text(program)
+                subprocess.run(["c++", *options, "check.cpp", "-o", "check"], cwd=folder, check=True)
+                found = subprocess.run([Path(folder) / "check", "1"], check=False).returncode
+                self.assertEqual(expected, found & exact)
 
     def test_written_twice_it_is_the_same(self):
         with tempfile.TemporaryDirectory() as folder:
