@@ -5,7 +5,7 @@
 #     // Method: bracketed Newton between the critical points of the reduced quartic.
 #     // Tolerance: 4e-7 (R + r).
 #
-# A baseline of the benchmark begins with `// Baseline: ...` and has no tolerance, because its answers may be wrong. A
+# A baseline of the benchmark begins with `// Baseline: ...` and has no tolerance: it answers another query, or times what no method does. A
 # line `// Needs: float64.` after either leaves the file out where the device has none.
 include_guard()
 

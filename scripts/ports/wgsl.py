@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The library in WGSL, which has neither a preprocessor nor `precise`: a tier a file, with every rounding sealed."""
+"""The library in WGSL, which has neither a preprocessor nor `precise`: a tier a file. In the exact tier every rounding is sealed."""
 from __future__ import annotations
 
 import re
@@ -28,8 +28,7 @@ fn torus_sealedVector(x: vec3<f32>, zero: u32) -> vec3<f32> {
 }
 
 """
-NOTES = """// Made of the folder shaders/torus by scripts/dist: {tier}, with the
-// same bits as in GLSL. naga_oil's users put `#define_import_path raytorus` before it; to WESL it is a module as it stands.
+NOTES = """// Made of the folder shaders/torus by scripts/dist: {tier}. To WESL it is a module as it stands.
 """
 
 
@@ -169,7 +168,7 @@ def translate(full: str, fast: bool) -> str:
     """One tier."""
     text, count = BLOCK.subn(lambda _: "", full)
     assert count == 1, "language.glsl's block"
-    note = NOTES.format(tier="the tier TORUS_FAST" if fast else "the exact tier")
+    note = NOTES.format(tier="the fast tier" if fast else "the exact tier, with the same bits as in GLSL")
     text, count = NOTE.subn(lambda _: note, text)
     assert count == 1, "the head's note"
     text = source.decide(text, {"TORUS_FAST": ""} if fast else {})

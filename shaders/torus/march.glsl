@@ -45,8 +45,8 @@
 #define TORUS_LAST_STEP 0.015625
 // ... or a step of this length, in units: u itself is rounded by as much.
 #define TORUS_STEP_ROUNDING 1.1920929e-7
-// What rounding can make of 2 a, in units of R + r and twice the largest coordinate of the base, the rounding of which the
-// foot inherits, over dd. On the surface a is e at most.
+// The error of 2 a by rounding: this much of (R + r + 2 farthest) / dd. The foot inherits the rounding of the base, whose
+// largest coordinate is `farthest`. A step whose sign of the discriminant this can turn is doubtful (accuracy.md, verdicts).
 #define TORUS_BLUR 1.2e-6
 // The next parabola holds at least this part of such a step ahead. No step of the fast tier but to a crossing is shorter.
 #define TORUS_LEAST_REACH 0.0625
@@ -143,7 +143,7 @@ torus_Parabola torus_parabola(const torus_Quartic quartic, torus_March march) {
     TORUS_PRECISE float bound = march.side < 0.0 ? max(abs(twoU), abs(ahead)) : least;
     TORUS_PRECISE float g = march.side * f;
     TORUS_PRECISE float s = march.side * h;
-    // A far root is as far as C is small: take C as small as rounding can have made it.
+    // The smaller C is, the farther is a far root. Rounding must not bring it nearer, so take the least C that it allows.
     TORUS_PRECISE float rounding = TORUS_EXACT && s >= 0.0 ? quartic.blurOfA : 0.0;
     TORUS_PRECISE float C = march.side * (c + bound * bound) - rounding;
     TORUS_PRECISE float twoReach = 2.0 * march.reach;
@@ -172,7 +172,7 @@ void torus_step(const torus_Quartic quartic, float left, inout torus_March march
     // Who is on the other side already, by rounding, is past a crossing.
     bool past = !TORUS_EXACT && p.g <= 0.0;
     if (TORUS_EXACT) {
-        // Of a parabola that has no root but for its rounding not beyond its extremum.
+        // A parabola without a root, which may have one but for rounding, is followed to three quarters of its extremum.
         x = discriminant < 0.0 ? 0.75 * x : x;
         // A refinement that found nothing is not repeated at the same place. From past a shallow dip's extremum it leads
         // back.
