@@ -30,8 +30,7 @@ endfunction()
 build(with_sources "-DRAYTORUS_SOURCE=${root}")
 
 set(prefix "${SCRATCH}/prefix")
-run("${CMAKE_COMMAND}" -S "${root}" -B "${SCRATCH}/glsl" ${generator} -DRAYTORUS_BUILD_HOST=OFF
-    -DRAYTORUS_BUILD_TESTS=OFF -DRAYTORUS_BUILD_EXAMPLES=OFF)
+run("${CMAKE_COMMAND}" -S "${root}" -B "${SCRATCH}/glsl" ${generator} -DRAYTORUS_BUILD_HOST=OFF)
 run("${CMAKE_COMMAND}" --install "${SCRATCH}/glsl" --component glsl --prefix "${prefix}")
 build(with_installation "-DCMAKE_PREFIX_PATH=${prefix}")
 file(STRINGS "${SCRATCH}/with_installation/build/CMakeCache.txt" found REGEX "^raytorus_DIR:PATH=${prefix}/")
