@@ -13,12 +13,9 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
     OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_GENERATOR DEB)
-set(CPACK_COMPONENTS_ALL glsl glsl_licence)
+set(CPACK_COMPONENTS_ALL glsl glsl_licence programs programs_licence)
 if(TARGET raytorus_languages)
     list(APPEND CPACK_COMPONENTS_ALL languages)
-endif()
-if(RAYTORUS_BUILD_HOST)
-    list(APPEND CPACK_COMPONENTS_ALL programs programs_licence)
 endif()
 
 # Debian's packages.

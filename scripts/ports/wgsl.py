@@ -2,6 +2,7 @@
 """The library in WGSL, which has neither a preprocessor nor `precise`: a tier a file. In the exact tier every rounding is sealed."""
 from __future__ import annotations
 
+import math
 import re
 import struct
 
@@ -141,8 +142,11 @@ class Wgsl:
             return ""
         value = define[2]
         bits = re.fullmatch(r"uintBitsToFloat\((0x[0-9a-f]+)u\)", value)
-        if bits:  # naga has no bitcast in a constant
-            value = struct.unpack("f", struct.pack("I", int(bits[1], 16)))[0].hex() + "f"
+        if bits:
+            # Exactly a product: naga has no bitcast in a constant, wesl-rs no hexadecimal float, and the largest float
+            # in decimal may be rounded up.
+            mantissa, exponent = math.frexp(struct.unpack("f", struct.pack("I", int(bits[1], 16)))[0])
+            value = f"{2 * mantissa!r}f * {2.0 ** (exponent - 1)!r}f"
         return f"const {define[1]}: {type_of(self.types.constants[define[1]])} = {value};"
 
 

@@ -21,6 +21,24 @@ function(files_of folder variable)
     set(${variable} "${files}" PARENT_SCOPE)
 endfunction()
 
+# The files of the component `glsl`, in an installation.
+list(TRANSFORM library_files PREPEND share/raytorus/shaders/torus/ OUTPUT_VARIABLE glsl_files)
+list(APPEND glsl_files share/raytorus/LICENSE share/pkgconfig/raytorus.pc share/cmake/raytorus/raytorus-config.cmake
+    share/cmake/raytorus/raytorus-config-version.cmake)
+list(SORT glsl_files)
+
+# Before a command: no compiler is found, nor named.
+set(without_compiler "${CMAKE_COMMAND}" -E env --unset=CFLAGS "PATH=${SCRATCH}" CC=/bin/false CXX=/nonexistent)
+find_program(ninja ninja REQUIRED)
+set(generator -G Ninja "-DCMAKE_MAKE_PROGRAM=${ninja}")
+
+# expect(<what> <value> <expected>)
+function(expect what value expected)
+    if(NOT value STREQUAL expected)
+        fault("${what}: ${value}\n    instead of ${expected}")
+    endif()
+endfunction()
+
 # use_pkg_config(<prefix>): the version is the project's, and a shader compiles by what pkg-config says.
 function(use_pkg_config prefix)
     set(pkg_config "${CMAKE_COMMAND}" -E env "PKG_CONFIG_LIBDIR=${prefix}/share/pkgconfig" pkg-config)

@@ -43,12 +43,9 @@ function(control_has)
     endforeach()
 endfunction()
 
-list(TRANSFORM library_files PREPEND share/raytorus/shaders/torus/ OUTPUT_VARIABLE files)
 languages(names)
 list(TRANSFORM names PREPEND share/raytorus/)
-unpack(raytorus-glsl all ${files} ${names} share/raytorus/LICENSE share/doc/raytorus-glsl/copyright
-    share/pkgconfig/raytorus.pc share/cmake/raytorus/raytorus-config.cmake
-    share/cmake/raytorus/raytorus-config-version.cmake)
+unpack(raytorus-glsl all ${glsl_files} ${names} share/doc/raytorus-glsl/copyright)
 control_has("Package: raytorus-glsl" "Version: ${version}" "Architecture: all" "Maintainer: [^\n]+" "Section: [a-z]+"
     "Description: [^\n]+")
 if(control MATCHES "\nDepends:")

@@ -106,6 +106,11 @@ void main() {
             names = set(re.findall(r"\b[A-Za-z_]\w*", code)) - {"f32", "i32", "u32", "vec2", "vec3"}
             self.assertEqual([], sorted(n for n in names if n[-1].isdigit()))
 
+    def test_no_float_of_wgsl_is_hexadecimal(self):
+        for name in ("raytorus.wgsl", "raytorus_fast.wgsl"):
+            with self.subTest(name=name):
+                self.assertEqual([], re.findall(r"0x[0-9a-f]*[.p].*", dist_text(name)))
+
     def test_cxx_compiles_without_a_warning(self):
         with tempfile.TemporaryDirectory() as folder:
             (Path(folder) / "raytorus.hpp").write_text(dist_text("raytorus.hpp"))
