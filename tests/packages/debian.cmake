@@ -3,6 +3,8 @@
 #
 #     cmake -DSCRATCH=<folder> -DBUILD=<build folder> -P <script>
 include("${CMAKE_CURRENT_LIST_DIR}/common.cmake")
+require_tool(shlibdeps dpkg-shlibdeps dpkg-dev)
+require_tool(file file file)
 execute_process(COMMAND dpkg --print-architecture OUTPUT_VARIABLE architecture OUTPUT_STRIP_TRAILING_WHITESPACE
     COMMAND_ERROR_IS_FATAL ANY)
 
