@@ -74,7 +74,8 @@ endfunction()
 # languages(<variable>): the names of what scripts/dist writes, but for the folders.
 function(languages variable)
     run("${root}/scripts/dist" --list)
-    string(REGEX MATCHALL "raytorus[a-z_.]*" names "${said}")
+    string(REGEX MATCHALL "\nraytorus[a-z_.]*" names "\n${said}")
+    list(TRANSFORM names STRIP)
     set(${variable} "${names}" PARENT_SCOPE)
 endfunction()
 
