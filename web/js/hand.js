@@ -9,18 +9,18 @@ function orbit(view, turn, elevation) {
     view.elevation = within("elevation", view.elevation + elevation);
 }
 
-// Zooms, and what is under `place` stays there. place: pixels from the middle of the picture, upwards.
-function zoomAt(view, camera, factor, place) {
+// Zooms, and what is under `place` stays there. pixel: its width; place: pixels from the middle of the picture, upwards.
+function zoomAt(view, pixel, factor, place) {
     const zoom = within("zoom", view.zoom * factor);
-    const kept = camera.pixel * (1 - view.zoom / zoom);
+    const kept = pixel * (1 - view.zoom / zoom);
     view.panX += place[0] * kept;
     view.panY += place[1] * kept;
     view.zoom = zoom;
 }
 
-function panBy(view, camera, x, y) {
-    view.panX -= x * camera.pixel;
-    view.panY -= y * camera.pixel;
+function panBy(view, pixel, x, y) {
+    view.panX -= x * pixel;
+    view.panY -= y * pixel;
 }
 
 class Hand {
@@ -44,6 +44,11 @@ class Hand {
         return [(event.clientX - box.left - box.width / 2) * scale, (box.top + box.height / 2 - event.clientY) * scale];
     }
 
+    // Not the camera's: several events may come before the next frame makes one.
+    pixel() {
+        return pixelOf(this.page.view, this.canvas.width, this.canvas.height);
+    }
+
     down(event) {
         this.canvas.setPointerCapture(event.pointerId);
         this.fingers.set(event.pointerId, this.place(event));
@@ -53,16 +58,16 @@ class Hand {
     move(event) {
         const before = this.fingers.get(event.pointerId);
         if (!before) return;
-        const {view, camera} = this.page, now = this.place(event);
+        const {view} = this.page, now = this.place(event);
         const [x, y] = [now[0] - before[0], now[1] - before[1]];
         this.way += Math.hypot(x, y);
         if (this.fingers.size === 2) {
             const other = [...this.fingers].find(([id]) => id !== event.pointerId)[1];
             const spread = place => Math.max(Math.hypot(place[0] - other[0], place[1] - other[1]), 1);
-            panBy(view, camera, x / 2, y / 2);
-            zoomAt(view, camera, spread(now) / spread(before), [(now[0] + other[0]) / 2, (now[1] + other[1]) / 2]);
+            panBy(view, this.pixel(), x / 2, y / 2);
+            zoomAt(view, this.pixel(), spread(now) / spread(before), [(now[0] + other[0]) / 2, (now[1] + other[1]) / 2]);
         } else if (event.shiftKey || event.buttons & 6) {
-            panBy(view, camera, x, y);
+            panBy(view, this.pixel(), x, y);
         } else {
             const scale = degreesAPixel * this.canvas.clientWidth / this.canvas.width;
             orbit(view, x * scale, -y * scale);
@@ -80,17 +85,17 @@ class Hand {
     wheel(event) {
         event.preventDefault();
         const lines = event.deltaMode === 1 ? 16 : 1;
-        zoomAt(this.page.view, this.page.camera, Math.exp(-0.002 * lines * event.deltaY), this.place(event));
+        zoomAt(this.page.view, this.pixel(), Math.exp(-0.002 * lines * event.deltaY), this.place(event));
         this.page.changed();
     }
 
     key(event) {
-        const {view, camera} = this.page;
+        const {view} = this.page;
+        const zoom = factor => zoomAt(view, this.pixel(), factor, [0, 0]);
         const moves = {
             ArrowLeft: () => orbit(view, -keyTurn, 0), ArrowRight: () => orbit(view, keyTurn, 0),
             ArrowUp: () => orbit(view, 0, keyTurn), ArrowDown: () => orbit(view, 0, -keyTurn),
-            "+": () => zoomAt(view, camera, keyZoom, [0, 0]), "=": () => zoomAt(view, camera, keyZoom, [0, 0]),
-            "-": () => zoomAt(view, camera, 1 / keyZoom, [0, 0]), Home: () => this.page.reset(),
+            "+": () => zoom(keyZoom), "=": () => zoom(keyZoom), "-": () => zoom(1 / keyZoom), Home: () => this.page.reset(),
         };
         const steps = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
         if (event.key === "Enter") {

@@ -20,7 +20,7 @@ class Page {
         this.showMark();
         this.later();
         clearTimeout(this.resting);
-        this.resting = setTimeout(() => this.guarded(() => this.measure()), restBefore);
+        this.resting = setTimeout(() => this.guarded(() => this.rest()), restBefore);
     }
 
     reset() {
@@ -86,7 +86,9 @@ class Page {
         element("frames").textContent = enough ? `${rate < 10 ? rate.toFixed(1) : Math.round(rate)} frames a second` : "drawn once";
     }
 
-    async measure() {
+    // Measures, and notes the view in the address.
+    async rest() {
+        history.replaceState(null, "", `#${addressOf(this.view)}`);
         this.prepare();
         showVerdicts(verdictsOf(this.device, this.view, this.camera, gridOf(this.camera, verdictSamples)));
         element("kept").textContent = selfCheck(this.device)

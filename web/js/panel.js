@@ -72,7 +72,7 @@ async function copyText(text, button) {
 function bindCopies(page) {
     for (const kind of ["shadertoy", "glsl"]) {
         element(`copy-${kind}`).addEventListener("click", event => {
-            copyText(completeShader(kind, page.view, page.camera), event.target);
+            copyText(completeShader(kind, page.view), event.target);
         });
     }
     element("copy-ray").addEventListener("click", event => copyText(element("ray-line").textContent, event.target));

@@ -21,6 +21,15 @@ function roundedDirection(x, z, tolerance) {
     return best;
 }
 
+// Half of what is seen along the shorter side, in R at the centre; and the width of a pixel there.
+function extentOf(view) {
+    return 1.2 * (1 + view.ratio) / view.zoom;
+}
+
+function pixelOf(view, width, height) {
+    return 2 * extentOf(view) / Math.min(width, height);
+}
+
 // Eye, columns and rows of samples for a picture of width and height pixels. The eye is in the plane y = 0.
 function cameraOf(view, width, height) {
     const side = view.samples;
@@ -28,8 +37,7 @@ function cameraOf(view, width, height) {
     const eye = [Math.fround(view.distance * Math.cos(elevation)), 0, Math.fround(view.distance * Math.sin(elevation))];
     const distance = Math.hypot(eye[0], eye[2]);
     const up = [-eye[2] / distance, eye[0] / distance];
-    const extent = 1.2 * (1 + view.ratio) / view.zoom;
-    const pixel = 2 * extent / Math.min(width, height), sample = pixel / side;
+    const pixel = pixelOf(view, width, height), sample = pixel / side;
     const rows = new Float32Array(4 * height * side);
     for (let j = 0; j < height * side; ++j) {
         const place = view.panY + (j + 0.5 - height * side / 2) * sample;
@@ -37,5 +45,5 @@ function cameraOf(view, width, height) {
                                                 sharpness * sample / distance);
         rows.set([x, z, length / distance, 0], 4 * j);
     }
-    return {width, height, side, eye, pixel, extent, rows, columns: [view.panX + (0.5 - width * side / 2) * sample, sample]};
+    return {width, height, side, eye, pixel, rows, columns: [view.panX + (0.5 - width * side / 2) * sample, sample]};
 }

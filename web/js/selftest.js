@@ -20,7 +20,7 @@ function selftestOf(page) {
         width: grid.width, height: grid.height, verdicts: verdictsOf(device, view, camera, grid), kept: selfCheck(device),
         line: traceLine(ours), error: gl.getError(), restored: page.restored ?? false,
         renderer: gl.getParameter(debug ? debug.UNMASKED_RENDERER_WEBGL : gl.RENDERER),
-        shadertoy: completeShader("shadertoy", view, camera), glsl: completeShader("glsl", view, camera),
+        shadertoy: completeShader("shadertoy", view), glsl: completeShader("glsl", view),
     };
 }
 

@@ -32,17 +32,17 @@ function literal(x) {
 }
 
 // What is seen, as a shader of its own.
-function constantsOf(view, camera) {
+function constantsOf(view) {
     return Object.entries({
-        MINOR_RADIUS: view.ratio, DISTANCE: view.distance, EXTENT: camera.extent, PAN_X: view.panX, PAN_Y: view.panY,
+        MINOR_RADIUS: view.ratio, DISTANCE: view.distance, EXTENT: extentOf(view), PAN_X: view.panX, PAN_Y: view.panY,
         ELEVATION: view.elevation * Math.PI / 180, TURN: view.turn * Math.PI / 180,
     }).map(([name, value]) => `const float ${name} = ${literal(value)};\n`).join("");
 }
 
-function completeShader(kind, view, camera) {
+function completeShader(kind, view) {
     const begin = kind === "glsl" ? "#version 300 es\n" : "";
     const fast = view.tier === "fast" ? "#define TORUS_FAST\n" : "";
     const end = kind === "glsl" ? "copy_glsl.frag" : "copy_shadertoy.glsl";
-    return `${begin}${fast}${library}\n${constantsOf(view, camera)}\n` +
+    return `${begin}${fast}${library}\n${constantsOf(view)}\n` +
         ["shade.glsl", "copy_picture.glsl", end].map(name => sources[name]).join("\n");
 }

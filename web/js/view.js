@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is seen: a torus with R = 1, from where, how large. A query string gives any of it, for a view that can be repeated.
+// What is seen: a torus with R = 1, from where, how large. The address gives any of it, so that a view can be shown again.
 const limits = {
     ratio: [0.001, 1.5],       // r / R
     distance: [3, 1e6],        // of the eye from the centre, in R
@@ -27,4 +27,10 @@ function viewOf(query) {
     if (query.get("tier") === "fast") view.tier = "fast";
     if (query.has("still") || matchMedia("(prefers-reduced-motion: reduce)").matches) view.turning = false;
     return view;
+}
+
+// The address of a view, behind #: what differs from the beginning.
+function addressOf(view) {
+    const other = Object.entries(view).filter(([name, value]) => name !== "turning" && value !== initial[name]);
+    return new URLSearchParams(other.map(([name, value]) => [name, typeof value === "number" ? String(Number(value.toPrecision(9))) : value]));
 }
