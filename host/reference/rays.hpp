@@ -38,8 +38,8 @@ inline constexpr RayClass allRayClasses[] = {
     RayClass::axisAligned,  RayClass::nonUnit,     RayClass::grazing,       RayClass::segment,
     RayClass::topCircle,    RayClass::dimpleCone,  RayClass::hornTip};
 
-// Whether the rays of a class come near to a tangent on purpose, and are judged however near. All but those of
-// hornTip are aimed to pass the surface by `margin`.
+// Whether the rays of a class come near to a tangent on purpose, and are judged however near. All but those
+// of hornTip are aimed to pass the surface by `margin`.
 constexpr bool passesByMargin(RayClass rayClass) {
     return rayClass == RayClass::grazing || rayClass == RayClass::topCircle ||
            rayClass == RayClass::dimpleCone || rayClass == RayClass::hornTip;
