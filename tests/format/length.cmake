@@ -17,10 +17,11 @@ function(require_at_most limit)
     set(faults "${faults}" PARENT_SCOPE)
 endfunction()
 
-raytorus_sources(files "cmake;examples;host;shaders;tests" "*.cpp;*.hpp;*.h;*.glsl;*.cmake;CMakeLists.txt")
+raytorus_sources(files "cmake;examples;host;packaging;shaders;tests;web"
+    "*.cpp;*.hpp;*.h;*.glsl;*.cmake;*.js;*.css;*.html;*.ts;CMakeLists.txt")
 raytorus_sources(scripts "scripts;.ci" "*")
 require_at_most(400 ${files} ${scripts})
-raytorus_sources(entry_points "examples;host;shaders;tests" "*.vert;*.frag;*.comp;*.rint")
+raytorus_sources(entry_points "examples;host;shaders;tests;web" "*.vert;*.frag;*.comp;*.rint")
 require_at_most(60 ${entry_points})
 
 # Lines of prose have at most 140 characters. Tables, code, pictures and comments are as long as they are; characters beyond ASCII

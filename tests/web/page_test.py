@@ -1,6 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The page in WebGL 2, in Chromium without a window: python3 tests/web/page_test.py <folder of dist> <program raytorus> [folder for pictures]."""
+"""The page in WebGL 2, in Chromium without a window.
+
+python3 tests/web/page_test.py <folder of dist> <program raytorus> <folder for pictures> [argument of unittest...]
+"""
 from __future__ import annotations
 
 import base64
@@ -19,8 +22,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from browser import BACK_ENDS, Browser  # noqa: E402
 
-dist, program = (Path(sys.argv.pop(1)).resolve() for _ in range(2))
-pictures = Path(sys.argv.pop(1)) if len(sys.argv) > 1 and not sys.argv[1].startswith("-") else None
+dist, program, pictures = (Path(sys.argv.pop(1)).resolve() for _ in range(3))
 page = dist / "web/index.html"
 ROW, RAY, HIT = 16, 8, 8
 # A ring, a wire, a horn, a spindle; from near and as far as the slider goes.
@@ -266,10 +268,9 @@ class Page(unittest.TestCase):
                 [...document.querySelectorAll('#panel *')].every(e => e.getBoundingClientRect().right <= innerWidth + 0.5)"""))
             drawn, shown = self.browser.evaluate("(c => [[c.width, c.height], [c.clientWidth, c.clientHeight]])(document.getElementById('picture'))")
             self.assertTrue(all(abs(a - scale * b) <= 1 for a, b in zip(drawn, shown)), f"{drawn} {shown}")
-            if pictures:
-                pictures.mkdir(parents=True, exist_ok=True)
-                png = self.browser.screenshot(pictures / f"page-{width}x{height}.png")
-                self.assertEqual((width * scale, height * scale), struct.unpack(">II", png[16:24]))
+            pictures.mkdir(parents=True, exist_ok=True)
+            png = self.browser.screenshot(pictures / f"page-{width}x{height}.png")
+            self.assertEqual((width * scale, height * scale), struct.unpack(">II", png[16:24]))
 
     def test_costs_are_shown_beside_each_other(self):
         self.browser.open(address(""))

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 out vec4 color;
 uniform vec2 size;  // of the picture, in pixels
 

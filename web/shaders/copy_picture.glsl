@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The eye stands where y = 0, because a torus is one of revolution: `turn` turns its paint.
 // The plane through the centre is `extent` high and low, so the torus keeps its size from any distance. A float32 direction
 // has steps of 6e-8: from beyond 1e5 they show, because a ray here has no better length than 1.

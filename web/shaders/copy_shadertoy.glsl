@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 void mainImage(out vec4 color, in vec2 place) {
     vec2 size = iResolution.xy;
     float pixel = 2.0 * EXTENT / min(size.x, size.y);
