@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The package raytorus for npm: shader text as files and as strings of a module."""
+"""The package raytorus for npm: shader text as strings of a module. scripts/dist puts the files beside it."""
 from __future__ import annotations
 
 import json
-import re
-from pathlib import Path
 
 # The strings of the module, and their files.
 STRINGS = {
@@ -16,15 +14,11 @@ STRINGS = {
 }
 
 
-def version(root: Path) -> str:
-    return re.search(r"^project\(raytorus VERSION (\S+)", (root / "CMakeLists.txt").read_text(), re.MULTILINE)[1]
+# The module's name among what scripts/dist has made.
+MODULE = "npm/index.js"
 
 
-def package(root: Path, texts: dict[str, str]) -> dict[str, str]:
-    """The package's files by name. texts: what scripts/dist has written, by name."""
-    files = {file.name: file.read_text() for file in sorted((root / "packaging/npm").iterdir())}
-    files["package.json"] = files["package.json"].replace("@VERSION@", version(root))
-    files["LICENSE"] = (root / "LICENSE").read_text()
-    files["index.js"] = "// SPDX-License-Identifier: MIT\n" + "".join(
+def module(texts: dict[str, str]) -> str:
+    """The strings. texts: what scripts/dist has written, by name."""
+    return "// SPDX-License-Identifier: MIT\n" + "".join(
         f"export const {name} = {json.dumps(texts[file], ensure_ascii=False)};\n" for name, file in STRINGS.items())
-    return files | {file: texts[file] for file in STRINGS.values()}

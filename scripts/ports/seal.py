@@ -26,7 +26,7 @@ class Seals:
 
     def rules(self) -> dict:
         return {"binary": self.binary, "parentheses": self.parentheses, "call": self.call,
-                "parameters": self.parameters, "function": self.function, "declaration": self.declared}
+                "function": self.function, "declaration": self.declared}
 
     def binary(self, splice: Splice, node: Node) -> str:
         plain = splice.plain(node)
@@ -52,9 +52,6 @@ class Seals:
     def call(self, splice: Splice, node: Node) -> str:
         plain = splice.plain(node)
         return f"{plain[:-1]}, {ZERO})" if node.text in self.sealing and not is_public(node.text) else plain
-
-    def parameters(self, splice: Splice, node: Node) -> str:
-        return splice.plain(node)
 
     def function(self, splice: Splice, node: Node) -> str:
         self.divisors = set()

@@ -70,7 +70,7 @@ def holds(condition: str, defined: dict[str, str]) -> bool:
     return bool(eval(re.sub(r"!(?!=)", " not ", text), {"__builtins__": {}}))  # pylint: disable=eval-used
 
 
-def decide(text: str, defined: dict[str, str], keep_defines: bool = True) -> str:
+def decide(text: str, defined: dict[str, str]) -> str:
     """The text where only these names are defined before it, without the lines that are skipped and without
     conditions. What the text itself defines as nothing is left out, too."""
     defined = dict(defined)
@@ -94,7 +94,7 @@ def decide(text: str, defined: dict[str, str], keep_defines: bool = True) -> str
             if word == "define":
                 name, _, value = rest.partition(" ")
                 defined[name] = value
-                if not value or not keep_defines:
+                if not value:
                     continue
             written.append(line)
     return re.sub(r"\n{3,}", "\n\n", "\n".join(written).strip("\n") + "\n")

@@ -58,7 +58,7 @@ class Wgsl:
 
     def rules(self) -> dict:
         return {"struct": self.structure, "member": self.member, "function": self.function, "parameter": self.parameter,
-                "declaration": self.declaration, "assignment": self.assignment, "increment": self.increment,
+                "declaration": self.declaration, "increment": self.increment,
                 "choice": self.choice, "constructor": self.constructor, "call": self.call, "name": self.name,
                 "functionName": lambda _s, n: FUNCTIONS.get(n.text, named(n.text)), "type": lambda _s, n: type_of(n.text),
                 "memberName": lambda _s, n: named(n.text), "directive": self.directive, "binary": self.binary,
@@ -93,9 +93,6 @@ class Wgsl:
         # Between the equals sign and the value there may be a line's end.
         gap = splice.text[node.child("name").end:value.start]
         return f"{word} {named(name)}: {type_of(kind)}{gap}{splice.write(value)};"
-
-    def assignment(self, splice: Splice, node: Node) -> str:
-        return splice.plain(node)
 
     def increment(self, splice: Splice, node: Node) -> str:
         closing = ";" if splice.text[node.start:node.end].endswith(";") else ""

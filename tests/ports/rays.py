@@ -4,15 +4,10 @@ from __future__ import annotations
 
 import math
 import random
-import struct
 from array import array
 
 # Major and minor radius: a ring, a wire, a horn, a spindle, a fat ring.
 TORI = ((1.0, 0.25), (1.0, 0.01), (1.0, 1.0), (1.0, 1.3), (1.0, 0.5))
-
-
-def to_float32(x: float) -> float:
-    return struct.unpack("f", struct.pack("f", x))[0]
 
 
 def unit(rng: random.Random) -> tuple[float, float, float]:
