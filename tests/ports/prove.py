@@ -25,10 +25,12 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
 import kernels  # noqa: E402
 import rays as ray_sets  # noqa: E402
 import runners  # noqa: E402
 from answers import Difference, native  # noqa: E402
+from browser import BACK_ENDS  # noqa: E402
 
 root = Path(__file__).resolve().parents[2]
 TIERS = {"exact": "", "fast": "#define TORUS_FAST\n"}
@@ -92,15 +94,12 @@ def webgpu_rows(ports: Ports, tier: str) -> Iterator[Row]:
 
 
 def webgl_rows(ports: Ports, tier: str, sets: list) -> Iterator[Row]:
-    back_ends = {"SwiftShader": ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-                 "llvmpipe": ["--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist"]}
-
     def make(name, flags):
         rows, who = runners.webgl(ports.glsl("300 es", tier, kernels.GLSL_FRAGMENT, name), flags, sets)
         answered = iter(rows)
         return lambda _torus, _rays: next(answered), who
 
-    for driver, flags in back_ends.items():
+    for driver, flags in BACK_ENDS.items():
         for name in ("raytorus.glsl", "raytorus.min.glsl"):
             yield Row(f"GLSL 300 es, {name}", f"WebGL 2, {driver}", tier, lambda n=name, f=flags: make(n, f), "webgl")
 

@@ -223,7 +223,7 @@ document.getElementById("answers").textContent = JSON.stringify(result);
 """
 
 
-def webgl(code: str, back_end: list[str], sets: list[tuple[tuple[float, float], array]]) -> tuple[list[array], str]:
+def webgl(code: str, back_end: tuple[str, ...], sets: list[tuple[tuple[float, float], array]]) -> tuple[list[array], str]:
     """GLSL ES 3.00 in Chromium, without a window: the answers to all sets, from one page."""
     work = {"vertex": f"#version 300 es\n{kernels.GLSL_VERTEX}", "fragment": code, "width": WIDTH,
             "sets": [{"torus": torus, "rays": base64.b64encode(rays.tobytes()).decode()} for torus, rays in sets]}

@@ -20,7 +20,7 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True
 here = Path(__file__).resolve().parent
-sys.path.insert(0, str(here))
+sys.path.insert(0, str(here.parent / "support"))
 from browser import BACK_ENDS, Browser  # noqa: E402
 
 dist, site = (Path(sys.argv.pop(1)).resolve() for _ in range(2))

@@ -19,7 +19,7 @@ from array import array
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(Path(__file__).resolve().parent))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
 from browser import BACK_ENDS, Browser  # noqa: E402
 
 dist, program, pictures = (Path(sys.argv.pop(1)).resolve() for _ in range(3))
